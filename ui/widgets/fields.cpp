@@ -167,8 +167,7 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
   const std::string preview = fitted(ui, text.id, shown, room, row.cut);
   if (ui.probe.watching()) ui.probe.fact(text.id, shown);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const bool open =
-      ImGui::BeginCombo("##choice", nullptr, ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+  const bool open = ImGui::BeginCombo("##choice", nullptr, ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
   const ImVec2 padding = ImGui::GetStyle().FramePadding;
   draw.AddText(ImVec2(min.x + padding.x, min.y + padding.y), ImGui::GetColorU32(ImGuiCol_Text), preview.c_str());
   if (!open) drawChevron(ui, ImVec2(max.x - ui.px(14), 0.5f * (min.y + max.y)));

@@ -50,6 +50,18 @@ TEST(Colourways, ScrollWhereThereAreTooMany) {
   EXPECT_GE(first.x1 - first.x0, 199) << "no smaller than can be judged";
 }
 
+TEST(Colourways, AYarnWithAFibreOfItsOwnHasItsColourInEach) {
+  HeadlessEditor editor({1280, 1400});
+  Fabric cloth = offered(2);
+  cloth.yarns.push_back(cloth.yarns[0]);
+  cloth.weftSequence = {1};
+  cloth.colourways[1].absorption_per_mm = {Rgb(7)};
+  editor.start(cloth);
+  editor.click("tab.fibre");
+  editor.edits("it has one", [&] { editor.click("fibre.own"); });
+  EXPECT_EQ(editor.saved().colourways[1].absorption_per_mm, (std::vector<Absorption>{Rgb(7), Rgb(7)}));
+}
+
 TEST(Colourways, GoOnPaper) {
   HeadlessEditor editor;
   editor.start(offered(1));
