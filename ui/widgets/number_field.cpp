@@ -133,6 +133,7 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   if (!entered && !left) return false;
   memory.typing = 0;
   if (confirmed) memory.tabOrder.standOn(id, true);
+  if (memory.text == memory.openedAs) return false;  // it is rounded: to look at a number is no edit
   std::optional<double> typed = numberIn(style.unit, memory.text);
   if (!typed && style.parse) typed = style.parse(memory.text);
   if (typed && *typed >= style.min && *typed <= style.max) {
@@ -149,7 +150,7 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
 
 void openText(Ui& ui, const NumberStyle& style, double value, ImGuiID id) {
   ui.memory.typing = id;
-  ui.memory.text = written(style, value);
+  ui.memory.text = ui.memory.openedAs = written(style, value);
   ui.memory.justOpened = true;
   ui.memory.typedAt = ImGui::GetFrameCount();
   ui.memory.unheard = 0;

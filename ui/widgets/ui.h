@@ -16,7 +16,7 @@ namespace loomlight {
 /// What fields remember between frames: the text being typed, the fraction being scrubbed, what the mouse rests on.
 struct FieldMemory {
   ImGuiID typing = 0;  ///< the field whose text is open; 0: none
-  std::string text;
+  std::string text, openedAs;
   bool justOpened = false;
   int typedAt = 0;     ///< the frame in which that text was drawn last
   int unheard = 0;     ///< frames since then in which no key could reach it

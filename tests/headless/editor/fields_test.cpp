@@ -132,6 +132,34 @@ TEST(FieldsBehindADialog, DoNotKeepItsEscape) {
   }
 }
 
+/// It is shown rounded, and opened as it is shown.
+TEST(FieldsThatAreOnlyLookedAt, EditNothing) {
+  HeadlessEditor editor{{1280, 900, 1}};
+  Fabric cloth = smallTwill();
+  cloth.ends_per_cm = 20.12345;
+  cloth.picks_per_cm = 18.98765;
+  for (Yarn& yarn : cloth.yarns) yarn.count_tex = 84.3612;
+  editor.start(cloth);
+  editor.click("tab.cloth");
+  const auto looksAt = [&](const char* field) {
+    editor.click(field);
+    editor.until("it is open", [&] { return editor.fact("text_input") == "yes"; });
+  };
+  looksAt("cloth.ends_per_cm");
+  editor.key("Return");
+  looksAt("cloth.ends_per_cm");
+  editor.click("viewport");
+  looksAt("cloth.ends_per_cm");
+  for (int i = 0; i < 12; ++i) editor.key("Tab");
+  editor.key("Escape");
+  editor.click("tab.yarn");
+  editor.key("Tab");
+  for (int i = 0; i < 30; ++i) editor.key("Tab");
+  editor.key("Escape");
+  EXPECT_EQ(editor.fact("dirty"), "no");
+  EXPECT_EQ(editor.savedAs(editor.homeFile("looked at.json")), cloth);
+}
+
 TEST_F(Fields, OneUndoTakesBackOneField) {
   const double before = smallTwill().ends_per_cm;
   editor.click("cloth.name");
