@@ -8,28 +8,27 @@
 namespace loomlight {
 
 ProfileController::ProfileController(DisplayColours colours, const std::function<void()>& wake)
-    : colours_(std::move(colours)), kept_(worker(wake)), chosen_(worker(wake)) {}
+    : colours_(std::move(colours)),
+      keptSystem_(worker(wake)),
+      keptDisplay_(worker(wake)),
+      keptPrinter_(worker(wake)),
+      chosen_(worker(wake)) {}
 
-Worker<ProfileController::Order, ProfileController::Read> ProfileController::worker(const std::function<void()>& wake) {
-  return {wake,
-          [](const Order& order, const auto& turn) -> std::optional<Read> {
-            for (const Source& source : order) turn.bring(read(source));
-            return std::nullopt;
-          },
-          [](const Order& order, const std::string& problem) { return Read{order.front(), {}, {}, problem}; },
+Worker<ProfileController::Source, ProfileController::Read> ProfileController::worker(
+    const std::function<void()>& wake) {
+  return {wake, [](const Source& source, const auto&) -> std::optional<Read> { return read(source); },
+          [](const Source& source, const std::string& problem) { return Read{source, {}, {}, problem}; },
           Backlog::hanging};
 }
 
 void ProfileController::start(std::string system) {
-  Order order;
-  if (!system.empty()) order.push_back({"", std::move(system)});
-  if (!colours_.displayFile.empty()) order.push_back({colours_.displayFile, ""});
-  if (!colours_.printerFile.empty()) order.push_back({colours_.printerFile, ""});
-  if (!order.empty()) kept_.ask(std::move(order));
+  if (!system.empty()) keptSystem_.ask({"", std::move(system)});
+  if (!colours_.displayFile.empty()) keptDisplay_.ask({colours_.displayFile, ""});
+  if (!colours_.printerFile.empty()) keptPrinter_.ask({colours_.printerFile, ""});
 }
 
 void ProfileController::open(const std::string& file) {
-  chosen_.ask({{file, ""}});
+  chosen_.ask({file, ""});
 }
 
 ProfileController::Read ProfileController::read(const Source& source) {
@@ -45,7 +44,7 @@ ProfileController::Read ProfileController::read(const Source& source) {
 }
 
 std::optional<std::string> ProfileController::follow() {
-  for (Worker<Order, Read>* worker : {&kept_, &chosen_})
+  for (Worker<Source, Read>* worker : {&keptSystem_, &keptDisplay_, &keptPrinter_, &chosen_})
     while (auto read = worker->take()) {
       // Nobody chose the system's, which is only not used where it cannot be.
       if (!read->problem.empty() && !read->source.file.empty()) return read->problem;

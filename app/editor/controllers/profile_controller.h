@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/live/worker.h"
 #include "render/colour/icc_profile.h"
@@ -41,7 +40,6 @@ class ProfileController {
   struct Source {
     std::string file, bytes;
   };
-  using Order = std::vector<Source>;
   struct Profile {
     std::string name;
     std::shared_ptr<const ColourCube> cube;
@@ -52,13 +50,14 @@ class ProfileController {
     Profile profile;
     std::string problem;
   };
-  static Worker<Order, Read> worker(const std::function<void()>& wake);
+  static Worker<Source, Read> worker(const std::function<void()>& wake);
   static Read read(const Source& source);
   void use(Read read, bool wanted);
 
   DisplayColours colours_;
   Profile system_, display_, printer_;
-  Worker<Order, Read> kept_, chosen_;
+  /// Each its own: neither a source that hangs nor one that is read sooner stands in another's way.
+  Worker<Source, Read> keptSystem_, keptDisplay_, keptPrinter_, chosen_;
 };
 
 }  // namespace loomlight

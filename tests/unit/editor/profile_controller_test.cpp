@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "tests/support/colour_profiles.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/wakes.h"
@@ -69,6 +71,40 @@ TEST_F(ProfileControllerTest, WhatWasKeptIsThereAgainAsItWas) {
   profiles.start("");
   EXPECT_EQ(until(profiles, [&] { return profiles.displayCube() && profiles.knowsPrinter(); }), "");
   EXPECT_FALSE(profiles.colours().proofs) << "the proof was off";
+}
+
+/// The window may be slower than the disk.
+TEST_F(ProfileControllerTest, AllThatWereKeptAreThereThoughNobodyLookedMeanwhile) {
+  DisplayColours kept;
+  kept.displayFile = fileOf("mine.icc", wideDisplay());
+  kept.printerFile = fileOf("paper.icc", test::palePrinterProfile());
+  std::atomic<int> came = 0;
+  ProfileController profiles(kept, [&, wake = wakes.callback()] {
+    ++came;
+    wake();
+  });
+  profiles.start(wideDisplay());
+  ASSERT_TRUE(wakes.until([&] { return came == 3; }));
+  EXPECT_EQ(profiles.follow(), std::nullopt);
+  const ProfileNames names = profiles.names();
+  EXPECT_NE(names.system, "");
+  EXPECT_NE(names.display, "");
+  EXPECT_NE(names.printer, "");
+}
+
+TEST_F(ProfileControllerTest, EachThatIsGoneIsSaid) {
+  DisplayColours kept;
+  kept.displayFile = folder.file("gone.icc");
+  kept.printerFile = folder.file("gone too.icc");
+  std::atomic<int> came = 0;
+  ProfileController profiles(kept, [&, wake = wakes.callback()] {
+    ++came;
+    wake();
+  });
+  profiles.start("");
+  ASSERT_TRUE(wakes.until([&] { return came == 2; }));
+  EXPECT_NE(profiles.follow().value_or("").find("gone.icc"), std::string::npos);
+  EXPECT_NE(profiles.follow().value_or("").find("gone too.icc"), std::string::npos);
 }
 
 TEST_F(ProfileControllerTest, WhatCannotBeUsedIsSaidAndChangesNothing) {
