@@ -38,11 +38,18 @@ size_t ownBytes(const Fabric& fabric, const Fabric* before) {
   return bytes;
 }
 
-std::shared_ptr<const Fabric> seenFrom(const std::shared_ptr<const Fabric>& fabric, const Camera& camera) {
-  if (fabric->camera == camera) return fabric;
-  auto moved = std::make_shared<Fabric>(*fabric);
-  moved->camera = camera;
-  return moved;
+/// Where one stands to look at it, and in which picture, is no part of the cloth.
+std::shared_ptr<const Fabric> seenFrom(const std::shared_ptr<const Fabric>& fabric, const Camera& camera,
+                                       const RenderSettings& picture) {
+  RenderSettings render = fabric->render;
+  render.width = picture.width;
+  render.height = picture.height;
+  render.samplesPerPixel = picture.samplesPerPixel;
+  if (fabric->camera == camera && fabric->render == render) return fabric;
+  auto seen = std::make_shared<Fabric>(*fabric);
+  seen->camera = camera;
+  seen->render = std::move(render);
+  return seen;
 }
 
 /// What of a light is its lamp.
@@ -105,7 +112,7 @@ void Document::look() {
 }
 
 void Document::lookFrom(const Camera& camera) {
-  keepAsLookedAt(seenFrom(cloth(), camera));
+  keepAsLookedAt(seenFrom(cloth(), camera, cloth()->render));
 }
 
 void Document::judgeUnder(std::optional<StandardIlluminant> lamp) {
@@ -141,10 +148,10 @@ EditPlace Document::redo() {
 }
 
 void Document::go(size_t step) {
-  // Undo takes back what was done to the cloth, not where one stands to look at it, nor by which lamp.
-  const Camera camera = cloth()->camera;
+  // Undo takes back what was done to the cloth, not how one looks at it: from where, by which lamp, in which picture.
+  const std::shared_ptr<const Fabric> before = cloth();
   now_ = step;
-  steps_[now_].fabric = seenFrom(cloth(), camera);
+  steps_[now_].fabric = seenFrom(cloth(), before->camera, before->render);
   look();
   gesture_ = 0;
   ++revision_;

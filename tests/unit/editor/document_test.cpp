@@ -53,6 +53,28 @@ TEST(Document, LookingAroundIsNoWorkAndSurvivesUndo) {
   EXPECT_EQ(document.fabric()->camera.azimuth_deg, 34);
 }
 
+/// The size is that of pictures; how finely the cloth is laid is its own.
+TEST(Document, TheSizeOfASnapshotSurvivesUndo) {
+  Document document(named("first"));
+  Fabric edited = named("a");
+  edited.render.resolution = 2;
+  document.edit(edited, 1);
+  RenderSettings settings = edited.render;
+  settings.width = 4000;
+  settings.height = 3000;
+  settings.samplesPerPixel = 7;
+  document.renderAs(settings);
+  document.undo();
+  RenderSettings expected = named("first").render;
+  expected.width = 4000;
+  expected.height = 3000;
+  expected.samplesPerPixel = 7;
+  EXPECT_EQ(document.fabric()->name, "first");
+  EXPECT_EQ(document.fabric()->render, expected);
+  document.redo();
+  EXPECT_EQ(document.fabric()->render, settings);
+}
+
 TEST(Document, JudgingByAnotherLampIsNoEditAndSurvivesUndo) {
   Document document(named("first"));
   document.judgeUnder(StandardIlluminant::f11);
