@@ -59,11 +59,11 @@ void ViewportController::layFlat(const Fabric& fabric, const FlatCloth& cloth) {
     flatSide_cm_ = cloth.count;
   const glm::dvec2 piece_mm = pieceOf(fabric, cloth).size_mm;
   const Camera& from = flat_ ? flat_->view.sight.camera : fabric.camera;
-  flat_ = Flat{{cloth, {piece_mm, aboveFlat(from, piece_mm.x, piece_mm.y, aspect())}}, fabric.drape};
+  flat_ = Flat{{cloth, {piece_mm, aboveFlat(from, piece_mm.x, piece_mm.y, aspect())}}, fabric.drape, piece_mm};
 }
 
 void ViewportController::lookAs(const std::optional<FlatView>& flat, const Fabric& fabric) {
-  flat_ = flat ? std::optional(Flat{*flat, fabric.drape}) : std::nullopt;
+  flat_ = flat ? std::optional(Flat{*flat, fabric.drape, pieceOf(fabric, flat->cloth).size_mm}) : std::nullopt;
 }
 
 bool ViewportController::lookAtFlat(const Camera& camera) {
@@ -173,6 +173,11 @@ void ViewportController::lookUnderPointer() {
 void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown,
                                 const ViewLimits& limits, const ClothSide& side) {
   if (flat_ && fabric->drape != flat_->instead) leaveFlat();  // another drape is wanted
+  if (flat_) {
+    const glm::dvec2 asked_mm = pieceOf(*fabric, flat_->view.cloth).size_mm;
+    // Only then, as the piece may be smaller than was asked for: as large as fibres have room.
+    if (std::exchange(flat_->asked_mm, asked_mm) != asked_mm) flat_->view.sight.piece_mm = asked_mm;
+  }
   ViewState state;
   state.flat = flatSight();
   state.fabric = fabric;

@@ -76,7 +76,8 @@ class ViewportController {
  private:
   struct Flat {
     FlatView view;
-    Drape instead;  ///< of which drape
+    Drape instead;        ///< of which drape
+    glm::dvec2 asked_mm;  ///< so large is what was asked for, of the fabric as it is
   };
   double aspect() const { return static_cast<double>(std::max(view_.width, 1)) / std::max(view_.height, 1); }
   std::optional<FlatSight> flatSight() const { return flat_ ? std::optional(flat_->view.sight) : std::nullopt; }

@@ -118,6 +118,23 @@ TEST_F(Sight, FlatClothIsEditedLikeAnyOther) {
   EXPECT_EQ(editor.saved().drape.kind, DrapeKind::cylinder);
 }
 
+/// A repeat of another sett is of another size: what is said, seen and rendered are the same.
+TEST_F(Sight, FlatRepeatsFollowTheCloth) {
+  view("menu.flat");
+  editor.click("menu.flat_repeat");
+  editor.click("tab.cloth");
+  editor.edits("half as dense", [&] { editor.enter("cloth.ends_per_cm", "10"); });
+  editor.edits("and the other way", [&] { editor.enter("cloth.picks_per_cm", "10"); });
+  const Fabric cloth = editor.saved();
+  const glm::dvec2 piece_mm = pieceOf(cloth, {true, 1}).size_mm;
+  const std::string size = fmt::format("{:.1f} \u00d7 {:.1f} mm", piece_mm.x, piece_mm.y);
+  EXPECT_THAT(editor.fact("flat"), EndsWith(size));
+  editor.key("ctrl+p");
+  editor.click("snapshot.scale/Whole piece");
+  editor.until("a snapshot shows as much", [&] { return editor.fact("snapshot.cloth") == size; });
+  editor.key("Escape");
+}
+
 /// A snapshot of flat cloth shows as much of it as it says.
 TEST_F(Sight, ASnapshotOfFlatClothSaysHowMuchItShows) {
   view("menu.flat");
