@@ -230,10 +230,11 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
 
   ImGui::SetCursorScreenPos(ImVec2(min.x + ImGui::GetStyle().WindowPadding.x, max.y + ui.px(8)));
   edit.fabric = quickChoices(ui, fabric, model.plain, view);
-  const bool sizeIsKnown = !hasOwnExtent(fabric.drape) || model.mesh;
+  // Another drape has a size, and a camera that looks at it, only when it is shown.
+  const bool otherDrape = edit.fabric && edit.fabric->drape != fabric.drape;
+  const bool sizeIsKnown = !otherDrape && (!hasOwnExtent(fabric.drape) || model.mesh);
   if (view.fitWanted && sizeIsKnown) {
-    const Fabric& shown = edit.fabric ? *edit.fabric : fabric;
-    edit.camera = fitted(shown.camera, shown.drape, size.x / size.y, model.mesh.value_or(MeshExtent{}));
+    edit.camera = fitted(fabric.camera, fabric.drape, size.x / size.y, model.mesh.value_or(MeshExtent{}));
     view.fitWanted = false;
   }
   return edit;

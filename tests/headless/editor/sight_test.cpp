@@ -135,6 +135,32 @@ TEST_F(Sight, FlatRepeatsFollowTheCloth) {
   editor.key("Escape");
 }
 
+/// It fills the window as it does when it is fitted by hand, whatever was seen before.
+TEST_F(Sight, AnotherDrapeIsFitted) {
+  for (const char* const drape : {"Folds", "Cushion", "Cylinder", "Skirt", "Flat"}) {
+    editor.edits(drape, [&] { editor.choose("view.drape", drape); });
+    editor.untilPictured();
+    const Camera chosen = editor.saved().camera;
+    editor.key("f");
+    editor.frame();
+    EXPECT_EQ(editor.saved().camera, chosen) << drape;
+  }
+}
+
+/// And from where it was looked at before the cloth lay flat.
+TEST_F(Sight, ADrapeThatIsChosenOfFlatClothIsSeenFromWhereItWas) {
+  const Camera before = editor.saved().camera;
+  for (const char* const drape : {"Cylinder", "Folds"}) {
+    view("menu.flat");
+    editor.click("menu.flat_repeat");
+    editor.edits(drape, [&] { editor.choose("view.drape", drape); });
+    editor.untilPictured();
+    const Camera chosen = editor.saved().camera;
+    EXPECT_EQ(chosen.elevation_deg, before.elevation_deg) << drape;
+    EXPECT_EQ(chosen.azimuth_deg, before.azimuth_deg) << drape;
+  }
+}
+
 /// A snapshot of flat cloth shows as much of it as it says.
 TEST_F(Sight, ASnapshotOfFlatClothSaysHowMuchItShows) {
   view("menu.flat");
