@@ -226,9 +226,9 @@ void Session::run(DraftCommand command) {
 void Session::readKeys() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return;
-  const bool listIsOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  // Keys are for a list that is open: Escape shuts it alone, and nothing is edited behind it.
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   const bool escape = keyPressed(ImGuiKey_Escape);
-  if (escape && listIsOpen) return;  // it shuts the list alone
   if (const auto command = draftKey(draft_.view())) return run(*command);
   if (io.KeyCtrl) {
     if (letterPressed('N')) run(Command::newFabric);

@@ -58,6 +58,18 @@ TEST_F(DraftSelection, CtrlDDeselects) {
   EXPECT_EQ(weaver.rows(), before);
 }
 
+/// Keys are for the list then.
+TEST_F(DraftSelection, NothingIsEditedBehindAnOpenList) {
+  editor.key("ctrl+a");
+  untilSelected("0 0 8 8");
+  editor.click("menu.view");
+  editor.until("the menu is open", [&] { return editor.shows("menu.flat"); });
+  for (const char* const key : {"Down", "Delete", "ctrl+i", "n"}) editor.key(key);
+  editor.key("Escape");
+  editor.until("the menu is shut", [&] { return !editor.shows("menu.flat"); });
+  EXPECT_EQ(weaver.rows(), before);
+}
+
 TEST_F(DraftSelection, TheRightButtonAsks) {
   editor.click("draft.select");
   editor.key("ctrl+a");
