@@ -90,13 +90,15 @@ void Session::frame(Ui& ui) {
   drawPanels(ui);
   drawDialogs(ui);
   watch.lap();
-  follow();
+  follow(ui);
   work_s_ += watch.lap();
 }
 
 /// Takes what workers have brought, and tells them what is wanted now.
-void Session::follow() {
-  snapshots_.follow();
+void Session::follow(Ui& ui) {
+  snapshots_.follow(ui, sightNow(), viewport_.service());
+  tile_.follow(ui, viewport_.service());
+  handover_.follow(ui, viewport_.service());
   if (const auto message = presets_.follow(!dialogIsOpen())) questions_.say(message->title, message->text);
   if (const auto problem = profiles_.follow()) sayUnopened(*problem);
   const bool panels = settings_.dock.panelsShown;

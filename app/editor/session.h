@@ -98,7 +98,7 @@ class Session {
   void drawDialogs(Ui& ui);
   void drawPreferences(Ui& ui);
   void drawFabricDialogs(Ui& ui);
-  void drawSnapshot(Ui& ui);
+  void drawRenderings(Ui& ui);
   bool dialogIsOpen() const;
   StatusModel statusToSay() const;
   SnapshotController::Sight sightNow() const {
@@ -111,7 +111,7 @@ class Session {
 
   // session.cpp: what is done
   void readKeys();
-  void follow();
+  void follow(Ui& ui);
   void startOver(Document document);
   void applyPreset(const PresetChoice& choice);
   void dress(const Fabric& cloth);

@@ -123,10 +123,16 @@ void Session::drawInspector(Ui& ui) {
   if (result.command) run(*result.command);
 }
 
-void Session::drawSnapshot(Ui& ui) {
-  const SnapshotController::Edit edit = snapshots_.drawDialog(ui, sightNow(), viewport_.service());
-  if (edit.settings) document_.renderAs(*edit.settings);
-  if (edit.chooseFile) browse(FileTask::snapshot);
+/// Dialogs that render to a file. Whatever is browsed, asked or under way stands in for them, and they come back.
+void Session::drawRenderings(Ui& ui) {
+  if (files_.isBrowsing() || questions_.isOpen() || files_.service().busy()) return;
+  if (snapshots_.dialogIsOpen()) {
+    const SnapshotController::Edit edit = snapshots_.drawDialog(ui, sightNow(), viewport_.service());
+    if (edit.settings) document_.renderAs(*edit.settings);
+    if (edit.chooseFile) browse(FileTask::snapshot);
+  }
+  if (tile_.draw(ui, *document_.cloth(), viewport_.service())) browse(FileTask::exportTile);
+  if (handover_.draw(ui, *document_.cloth(), viewport_.service())) browse(FileTask::handover);
 }
 
 /// Those that put something into the fabric.
@@ -153,17 +159,15 @@ void Session::drawFabricDialogs(Ui& ui) {
 
 void Session::drawDialogs(Ui& ui) {
   openPending();
-  // The browser stands in for the dialogs while it names their files.
-  if (!files_.isBrowsing() && snapshots_.dialogIsOpen()) drawSnapshot(ui);
   if (const auto chosen = files_.drawBrowser(ui)) fileChosen(*chosen);
   if (!files_.isBrowsing() && !questions_.isOpen() && !files_.service().busy()) errand_ = {};  // no file was named
   if (auto result = files_.drawBusy(ui)) fileDone(std::move(*result));
-  if (const auto answer = questions_.draw(ui)) answered(*answer);
+  if (!files_.service().busy())
+    if (const auto answer = questions_.draw(ui)) answered(*answer);
   drawPreferences(ui);
   help_.keys.draw(ui);
   snapshots_.drawComparison(ui);
-  if (!files_.isBrowsing() && tile_.draw(ui, *document_.cloth(), viewport_.service())) browse(FileTask::exportTile);
-  if (!files_.isBrowsing() && handover_.draw(ui, *document_.cloth(), viewport_.service())) browse(FileTask::handover);
+  drawRenderings(ui);
   if (inspector_.colourDifferenceIsOpen()) {
     inspector_.drawColourDifference(ui, document_.fabric(), yarnColours_);
     if (!inspector_.colourDifferenceIsOpen()) viewport_.service().pause(ViewService::Rival::colourDifference, false);

@@ -19,7 +19,8 @@ void MessageDialog::show(std::string title, std::string text, std::vector<std::s
 std::optional<int> MessageDialog::draw(Ui& ui) {
   if (!open_) return std::nullopt;
   std::optional<int> answer;
-  if (!beginModal(ui, (title_ + "##message").c_str(), ImVec2(ui.px(480), 0), open_, opening_)) return 0;
+  if (!beginLastingModal(ui, (title_ + "##message").c_str(), ImVec2(ui.px(480), 0), open_, opening_))
+    return std::nullopt;
   ui.probe.fact("message", text_);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text_.c_str());
@@ -54,10 +55,7 @@ void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
 SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const ClothInView& seen, const RenderJob& job) {
   Result result;
   if (!open_) return result;
-  if (!beginModal(ui, words::snapshot::title, ImVec2(ui.px(480), 0), open_, opening_)) {
-    result.cancel = job.running;
-    return result;
-  }
+  if (!beginLastingModal(ui, words::snapshot::title, ImVec2(ui.px(480), 0), open_, opening_)) return result;
   ImGui::BeginDisabled(job.running);
   bool changed = snapshotOptionRows(ui, options_, settings_, seen);
   changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);

@@ -30,10 +30,7 @@ bool HandoverDialog::rows(Ui& ui, const HandoverModel& model) {
 HandoverDialog::Result HandoverDialog::draw(Ui& ui, const HandoverModel& model, const RenderJob& job) {
   Result result;
   if (!open_) return result;
-  if (!beginModal(ui, words::handover::title, ImVec2(ui.px(480), 0), open_, opening_)) {
-    result.cancel = job.running;
-    return result;
-  }
+  if (!beginLastingModal(ui, words::handover::title, ImVec2(ui.px(480), 0), open_, opening_)) return result;
   ImGui::BeginDisabled(job.running);
   beginModalRows(ui, "handover.rows", kRenderJobLines);
   result.chooseFolder = opening_ = rows(ui, model);  // it comes back when the browser has gone

@@ -15,10 +15,7 @@ void TileDialog::show(std::string file) {
 TileDialog::Result TileDialog::draw(Ui& ui, const TileModel& model, double fewestPixels, const RenderJob& job) {
   Result result;
   if (!open_) return result;
-  if (!beginModal(ui, words::tile::title, ImVec2(ui.px(480), 0), open_, opening_)) {
-    result.cancel = job.running;
-    return result;
-  }
+  if (!beginLastingModal(ui, words::tile::title, ImVec2(ui.px(480), 0), open_, opening_)) return result;
   hint(ui, words::tile::about);
   ImGui::BeginDisabled(job.running);
   size_.draw(ui, "tile", model, fewestPixels);

@@ -52,6 +52,13 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& openin
   return true;
 }
 
+bool beginLastingModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening) {
+  if (beginModal(ui, title, size, open, opening)) return true;
+  open = opening = true;
+  ui.wakeWithin(0);
+  return false;
+}
+
 void endModal() {
   ImGui::EndPopup();
 }

@@ -8,6 +8,8 @@ namespace loomlight {
 /// frame; false from then on. A height of 0 fits the content. When true, content follows and endModal() closes the
 /// scope; when false it has been closed, and `open` says so.
 bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening);
+/// The same of a dialog that ends by its own buttons alone: where another has shut it, it comes back.
+bool beginLastingModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening);
 void endModal();
 /// The height that is left for what stands between here and a last line of buttons, in a dialog that fits its content:
 /// in a low window that part scrolls, and the buttons stay in sight.

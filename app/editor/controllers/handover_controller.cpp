@@ -55,9 +55,12 @@ RenderService::Work HandoverController::workOn(const Fabric& fabric) const {
   };
 }
 
-bool HandoverController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
+void HandoverController::follow(Ui& ui, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
   if (rendering_.follow().has_value()) seen.pause(ViewService::Rival::handover, false);
+}
+
+bool HandoverController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   if (!dialog_.isOpen()) return false;
   HandoverModel model;
   model.tile = sizes_.newest();

@@ -68,12 +68,16 @@ void SnapshotController::followView(const Sight& now, const ViewService& seen) {
   view.samples = frame.samples;
 }
 
-SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const Sight& now, ViewService& seen) {
+void SnapshotController::follow(Ui& ui, const Sight& now, ViewService& seen) {
+  shelf_.follow();
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
-  if (const auto written = rendering_.follow()) {
-    seen.pause(ViewService::Rival::snapshot, false);
-    if (*written) keepView(now, seen);
-  }
+  const auto written = rendering_.follow();
+  if (!written) return;
+  seen.pause(ViewService::Rival::snapshot, false);
+  if (*written) keepView(now, seen);
+}
+
+SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const Sight& now, ViewService& seen) {
   const std::string before = dialog_.file();
   ClothInView inView{heightSeen_mm(seen.asSeen(now.fabric)->camera)};
   if (now.view.flat) inView.piece_mm = now.view.flat->sight.piece_mm;

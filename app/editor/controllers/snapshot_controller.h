@@ -55,8 +55,8 @@ class SnapshotController {
   void keepView(const Sight& now, const ViewService& seen);
   /// When the picture is another one.
   void followView(const Sight& now, const ViewService& seen);
-  /// At the end of a frame.
-  void follow() { shelf_.follow(); }
+  /// At the end of a frame, whether the dialog is drawn or another stands in for it.
+  void follow(Ui& ui, const Sight& now, ViewService& seen);
   /// Why the newest view will not last; empty while all is well.
   const std::string& problem() const { return shelf_.problem(); }
 

@@ -22,9 +22,12 @@ void TileController::setFile(const std::string& file) {
   rendering_.forget();
 }
 
-bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
+void TileController::follow(Ui& ui, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
   if (rendering_.follow().has_value()) seen.pause(ViewService::Rival::tile, false);
+}
+
+bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   const std::string before = dialog_.file();
   const TileDialog::Result result = dialog_.draw(ui, sizes_.newest(), kFewestPixelsPerYarn, rendering_.progress());
   if (dialog_.file() != before) rendering_.forget();

@@ -19,6 +19,8 @@ class TileController {
 
   /// Whether a file is to be chosen.
   bool draw(Ui& ui, const Fabric& fabric, ViewService& seen);
+  /// At the end of a frame, whether the dialog is drawn or another stands in for it.
+  void follow(Ui& ui, ViewService& seen);
   bool isOpen() const { return dialog_.isOpen(); }
   void show(std::string file, const std::shared_ptr<const Fabric>& fabric);
   const std::string& file() const { return dialog_.file(); }

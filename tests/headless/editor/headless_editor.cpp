@@ -69,9 +69,19 @@ void HeadlessEditor::startOn(const std::string& file) {
   WifImport cloth = FileService::readCloth(file, Fabric{});
   session_ =
       std::make_unique<Session>(Document(std::move(cloth.fabric), file), settings_, driver_, wakes_.callback(), 0);
+  session_->startProfiles("");
   session_->offerRecovery();
   session_->sayLooksOtherwise(file, cloth.warnings);
   until("the panels are drawn", [this] { return shows("viewport"); });
+}
+
+void HeadlessEditor::crash() {
+  session_.reset();
+}
+
+void HeadlessEditor::closeWindow() {
+  session_->askToQuit();
+  settle();
 }
 
 void HeadlessEditor::leave() {

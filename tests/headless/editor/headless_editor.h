@@ -42,6 +42,12 @@ class HeadlessEditor {
   std::string start(const Fabric& cloth, const std::string& name = "cloth.json");
   /// Begins again on a file, with the settings that leave() has kept.
   void startOn(const std::string& file);
+  /// With which it begins the next time.
+  Settings& settings() { return settings_; }
+  /// As if it had been killed: what was kept of unsaved work is left behind.
+  void crash();
+  /// The button of the window; the session may ask.
+  void closeWindow();
   /// Ctrl+Q, without saving; the settings are kept for the next start.
   void leave();
 
