@@ -35,8 +35,8 @@ fs::path absolute(const std::string& file) {
 }  // namespace
 
 void Session::leaveFor(Errand next) {
-  if (questions_.isAsking(Question::unsaved) && errand_ == next) return;
   errand_ = std::move(next);
+  if (questions_.isAsking(Question::unsaved)) return;           // the answer is for what was wanted last
   if (files_.service().isReading()) files_.service().cancel();  // a copy that was taken up stays where it is
   if (files_.service().busy()) return;                          // fileDone() comes back here
   if (!document_.document().isDirty()) return goOn();

@@ -1,5 +1,6 @@
 #include "app/editor/controllers/question_controller.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ui/words/message_words.h"
@@ -8,8 +9,17 @@ namespace loomlight {
 
 void QuestionController::ask(Question question, std::string title, std::string text, std::vector<std::string> answers,
                              int safe, std::string file) {
-  asked_ = {question, std::move(file)};
-  message_.show(std::move(title), std::move(text), std::move(answers), safe);
+  asked_.push_back({question, std::move(file), std::move(title), std::move(text), std::move(answers), safe});
+  if (asked_.size() == 1) showFirst();
+}
+
+void QuestionController::showFirst() {
+  const Asked& first = asked_.front();
+  message_.show(first.title, first.text, first.answers, first.safe);
+}
+
+bool QuestionController::isAsking(Question question) const {
+  return std::ranges::any_of(asked_, [question](const Asked& asked) { return asked.question == question; });
 }
 
 void QuestionController::say(std::string title, std::string text) {
@@ -17,10 +27,12 @@ void QuestionController::say(std::string title, std::string text) {
 }
 
 std::optional<QuestionController::Answer> QuestionController::draw(Ui& ui) {
-  const auto answer = message_.draw(ui);
-  if (!answer) return std::nullopt;
-  asked_.answer = *answer;
-  return std::exchange(asked_, {});
+  const auto given = message_.draw(ui);
+  if (!given) return std::nullopt;
+  Answer answer{asked_.front().question, std::move(asked_.front().file), *given};
+  asked_.pop_front();
+  if (!asked_.empty()) showFirst();
+  return answer;
 }
 
 }  // namespace loomlight

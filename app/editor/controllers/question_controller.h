@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ struct Errand {
   bool operator==(const Errand&) const = default;
 };
 
-/// What the designer is told and asked, one thing at a time.
+/// What the designer is told and asked: one thing after the other, each until it is answered.
 class QuestionController {
  public:
   enum class Question { none, said, unsaved, forgetRecent, recover };
@@ -25,8 +26,9 @@ class QuestionController {
   void ask(Question question, std::string title, std::string text, std::vector<std::string> answers, int safe,
            std::string file = {});
   void say(std::string title, std::string text);
-  bool isOpen() const { return message_.isOpen(); }
-  bool isAsking(Question question) const { return asked_.question == question && message_.isOpen(); }
+  bool isOpen() const { return !asked_.empty(); }
+  /// Now, or once what came before it is answered.
+  bool isAsking(Question question) const;
   struct Answer {
     Question question = Question::none;
     std::string file;  ///< that it was asked of
@@ -36,8 +38,16 @@ class QuestionController {
   std::optional<Answer> draw(Ui& ui);
 
  private:
+  struct Asked {
+    Question question = Question::none;
+    std::string file, title, text;
+    std::vector<std::string> answers;
+    int safe = 0;
+  };
+  void showFirst();
+
   MessageDialog message_;
-  Answer asked_;  ///< but for the answer
+  std::deque<Asked> asked_;  ///< the first is up
 };
 
 }  // namespace loomlight

@@ -1,19 +1,22 @@
-/// What comes in between: a question while a picture is rendered.
+/// What comes in between: a question while a picture is rendered, and one while another is up.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 
+#include "app/editor/model/user_folders.h"
 #include "tests/headless/editor/headless_editor.h"
 #include "tests/headless/editor/small_cloth.h"
 
 namespace loomlight {
 namespace {
 
+using testing::HasSubstr;
+
 class Interruptions : public testing::Test {
  protected:
-  Interruptions() {
-    editor.start(smallCloth("Blue"));
+  Interruptions() : file(editor.start(smallCloth("Blue"))) {
     editor.click("tab.cloth");
     edit("9");
   }
@@ -47,6 +50,7 @@ class Interruptions : public testing::Test {
   }
 
   HeadlessEditor editor{{1280, 1000, 1}};
+  std::string file;
 };
 
 TEST_F(Interruptions, ASnapshotGoesOnWhileAQuestionIsAsked) {
@@ -85,6 +89,29 @@ TEST_F(Interruptions, TheViewportGoesOnAfterASnapshotThatWasWrittenBehindAQuesti
   edit("11");
   editor.untilPictured();
   editor.until("the view rests", [&] { return editor.fact("phase") == "converged"; });
+}
+
+TEST_F(Interruptions, TheOfferOfUnsavedWorkIsNotLostToWhatElseIsSaid) {
+  const auto isLeft = [] {
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(stateFolder(), none))
+      if (entry.path().extension() == ".json") return true;
+    return false;
+  };
+  editor.until("a copy is kept", isLeft);
+  editor.crash();
+  editor.settings().colours.displayFile = editor.homeFile("gone.icc");
+  editor.settings().colours.printerFile = editor.homeFile("gone too.icc");
+  editor.startOn(file);
+  for (int i = 0; i < 60; ++i) editor.frame();
+  EXPECT_THAT(editor.fact("message"), HasSubstr("Take it up again?"));
+  editor.click("message.answer_2");
+  for (int i = 0; i < 2; ++i) {
+    editor.until("a profile is missed", [&] { return editor.fact("message").find("gone") != std::string::npos; });
+    editor.click("message.answer_0");
+  }
+  editor.until("both have been said", [&] { return editor.fact("dialog") == "none"; });
+  EXPECT_EQ(editor.fact("dirty"), "yes") << "the work has been taken up";
 }
 
 }  // namespace
