@@ -17,7 +17,6 @@ class MessageDialog {
   /// Answers from left to right; Escape is the first. Enter is number `enter`, which stands out: one that loses
   /// nothing.
   void show(std::string title, std::string text, std::vector<std::string> answers, int enter);
-  bool isOpen() const { return open_; }
   /// Index of the answer, once.
   std::optional<int> draw(Ui& ui);
 

@@ -14,7 +14,6 @@ struct Errand {
   enum class Kind { none, quit, beginAnew, open, takeUp };
   Kind kind = Kind::none;
   std::string file{};  ///< that is to be opened, or taken up
-  bool operator==(const Errand&) const = default;
 };
 
 /// What the designer is told and asked: one thing after the other, each until it is answered.
