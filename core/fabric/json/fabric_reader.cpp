@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -129,6 +128,10 @@ class ObjectReader {
   }
 
   bool has(const char* key) const { return object_.contains(key); }
+  bool has(const char* key, const char* keyInIt) const {
+    const auto found = object_.find(key);
+    return found != object_.end() && found->is_object() && found->contains(keyInIt);
+  }
 
   /// The value of a key, where it is there.
   template <class Value>
@@ -380,12 +383,10 @@ void checkVersion(const std::optional<json>& version, const FieldPath& path) {
                 version->dump() + ": a newer Loomlight wrote this file, and is needed to read it");
 }
 
-/// Loomlight writes every key, people those that they need: a whole file without a key is older than the key.
+/// Loomlight writes every key, people those that they need, of which the camera's target is none: a file with that and
+/// without a later key is older than this.
 bool isOlderThanPressing(const ObjectReader& reader) {
-  const auto isThere = [&](const char* key) { return reader.has(key); };
-  return !reader.has("press") && std::ranges::all_of(std::array{"weave", "warp_sequence", "weft_sequence", "yarns",
-                                                                "fibres", "drape", "light", "camera", "render"},
-                                                     isThere);
+  return !reader.has("press") && reader.has("camera", "target_mm");
 }
 
 }  // namespace
