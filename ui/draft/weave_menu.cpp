@@ -51,8 +51,11 @@ void editItems(Ui& ui, Items& items, bool selection) {
 bool beginMenu(Ui& ui, const char* id, const char* label) {
   const bool open = ImGui::BeginMenu(label);
   if (!open) ui.probe.recordItem(id);
-  if (open && keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
-  return open;
+  if (!open || !keyPressed(ImGuiKey_Escape)) return open;
+  // A list within it under the mouse would open once more, and stay open without being seen.
+  ImGui::CloseCurrentPopup();
+  ImGui::EndMenu();
+  return false;
 }
 
 std::optional<DraftCommand> weaveMenu(Ui& ui, const WeaveMenuModel& model) {

@@ -70,6 +70,17 @@ TEST_F(DraftSelection, NothingIsEditedBehindAnOpenList) {
   EXPECT_EQ(weaver.rows(), before);
 }
 
+/// A list that was shut with the mouse on one within it, which would hold the keyboard without being seen.
+TEST_F(DraftSelection, KeysComeBackWhenAMenuIsShut) {
+  editor.click("menu.file");
+  editor.click("menu.export");
+  editor.until("the list within is open", [&] { return editor.shows("menu.export_wif"); });
+  editor.key("Escape");
+  editor.until("both are shut", [&] { return !editor.shows("menu.export"); });
+  editor.key("ctrl+a");
+  untilSelected("0 0 8 8");
+}
+
 TEST_F(DraftSelection, TheRightButtonAsks) {
   editor.click("draft.select");
   editor.key("ctrl+a");
