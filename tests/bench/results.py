@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Puts the pages of `loomlight bench accuracy`, `closeup`, `table1`, `figures`, `edit`, `clear`, `converge` and `cloths` together
-as RESULTS.md, with a few small pictures.
+as RESULTS.md, with a few small pictures. Suites that are not in RUNS keep the page that they have there, and each says
+of which commit it is.
 
     tests/bench/results.py --run build/app/loomlight RUNS    measures first: two hours on two idle cores
     tests/bench/results.py RUNS                              only writes, from the suites that are in RUNS
 
-RUNS is a folder that keeps the whole pages, tables and pictures, one folder a suite, and the commit they are of.
+RUNS is a folder that keeps the whole pages, tables and pictures, one folder a suite, with the commit that it is of.
 """
 
 import argparse
@@ -39,16 +40,16 @@ def commit():
 
 
 def measure(program, runs):
-    runs.mkdir(parents=True, exist_ok=True)
-    (runs / "commit").write_text(commit() + "\n")
     for name, suite in SUITES.items():
         subprocess.run((program, "bench", *suite, "-o", runs / name), check=True)
+        (runs / name / "commit").write_text(commit() + "\n")
 
 
 def page_of(name, runs, pictures):
     """The page a level further down; copies the pictures that are wanted and leaves the others out."""
     lines = (runs / name / f"{SUITES[name][0]}.md").read_text().splitlines()
     lines[0] = TITLES.get(name, lines[0])
+    lines.insert(1, f"\n*Measured at commit {(runs / name / 'commit').read_text().strip()}.*")
     kept, caption = [], None
     for line in lines:
         if line == caption:  # stands below its picture
@@ -75,20 +76,25 @@ def main():
     arguments = parser.parse_args()
     if arguments.run:
         measure(arguments.run, arguments.runs)
-    pictures = HERE / "results"
-    shutil.rmtree(pictures, ignore_errors=True)
-    pictures.mkdir()
+    results, pictures = HERE / "RESULTS.md", HERE / "results"
+    pictures.mkdir(exist_ok=True)
     head = (
         "# Results\n\n"
-        "Written by [results.py](results.py) from what `loomlight bench` measured at commit "
-        f"{(arguments.runs / 'commit').read_text().strip()}. \"The report\" is Schröder, Zinke and Klein 2011; "
-        "\"prototype\" a throw-away program of ours that came before this one."
+        "Written by [results.py](results.py) from what `loomlight bench` measured. \"The report\" is Schröder, Zinke and "
+        "Klein 2011; \"prototype\" a throw-away program of ours that came before this one."
     )
-    pages = [page_of(name, arguments.runs, pictures) for name in SUITES if (arguments.runs / name).exists()]
-    results = HERE / "RESULTS.md"
-    by_hand = "## Crimp and thickness: the closed form against relaxed yarns"  # of a program of its own: bench_relaxation
-    kept = by_hand + results.read_text().split(by_hand)[1].rstrip()
-    results.write_text("\n\n".join([head, *pages, kept]) + "\n")
+    # A page begins with the mark of its suite; the last is of a program of its own, bench_relaxation.
+    marked = re.split(r"^<!-- (\w+) -->\n", results.read_text(), flags=re.MULTILINE)[1:]
+    pages = dict(zip(marked[::2], map(str.strip, marked[1::2])))
+    for name in SUITES:
+        if (arguments.runs / name).exists():
+            pages[name] = page_of(name, arguments.runs, pictures)
+    order = [name for name in (*SUITES, "relaxation") if name in pages]
+    results.write_text("\n\n".join([head, *(f"<!-- {name} -->\n{pages[name]}" for name in order)]) + "\n")
+    shown = results.read_text()
+    for picture in pictures.iterdir():
+        if f"(results/{picture.name})" not in shown:
+            picture.unlink()
 
 
 main()
