@@ -124,13 +124,18 @@ Refinement::Pass Refinement::beginPass() const {
   return {plan, PictureBuckets(all, split ? bucketSide(budget_s / secondsPerPixel, plan.divider) : 0)};
 }
 
+/// First fibres come before any pass, but in turn with coarse ones, which are quick and seen at once.
+bool Refinement::hitsAreNext() {
+  if (!shared_ || shared_->hits() >= hitsWanted(history_)) return false;
+  hitsHadTheirTurn_ = !hitsHadTheirTurn_;
+  return hitsHadTheirTurn_ || history_.divider <= 2;
+}
+
 bool Refinement::advance(const Task& task) {
   threads_ = task.threads;
   if (converged()) return true;
   history_.seconds = secondsSince(start_);
-  const bool takesTurns = history_.divider > 2;  // coarse passes are quick, and seen at once
-  if (!pass_ && shared_ && shared_->hits() < hitsWanted(history_) &&
-      !(takesTurns && std::exchange(hitsHadTheirTurn_, !hitsHadTheirTurn_))) {
+  if (!pass_ && hitsAreNext()) {
     const bool complete = shared_->addHits(hitsWanted(history_), task, passBudget_s(history_));
     spent_s_ += secondsSince(start_) - history_.seconds;
     return complete;

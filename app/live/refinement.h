@@ -119,6 +119,7 @@ class Refinement {
   std::unique_ptr<PathRecords> recordsFor(const Film& film) const;
   Pass beginPass() const;
   void endPass();
+  bool hitsAreNext();
   bool showDetail(const Task& task);
   bool showKnownLight(const Task& task);
   std::optional<MovedView> moved(int threads);
