@@ -58,6 +58,8 @@ class ClothGeometry {
   const YarnGeometry& yarn(System system, int geometryClass) const {
     return yarns_.model(system, geometryClass).geometry;
   }
+  /// YarnModel::separation.
+  double separation(System system, int geometryClass) const { return yarns_.model(system, geometryClass).separation; }
   int yarnIndex(System system, int index) const { return yarns_.yarnIndex(system, index); }
   int geometryClass(System system, int index) const { return codes_.geometryClass(system, index); }
   int repeatEnds() const { return codes_.repeatEnds(); }

@@ -105,7 +105,34 @@ class Rings {
   std::vector<size_t> start_;  ///< of each ring in members_, and of two empty ones beyond the last
 };
 
+/// Calls visit(i, j, square of their distance) for every two that are nearer than `near` as they lie in the yarn, mm.
+template <class Visit>
+void forPairsWithin(double near, const DiscCentres& centres, const HelicalFibres& fibres, const Visit& visit) {
+  const auto [narrowest, widest] = std::minmax(fibres.section.up, fibres.section.across);
+  // What is foreshortened is the way around the axis: towards it, fibres are as near as they look.
+  const double thickness = near / narrowest;
+  const auto reach = [&](double radius) { return thickness / fibres.cosineAt(radius * radius * widest * widest); };
+  Rings(centres, thickness).pairs(reach, [&](int i, int j) {
+    const double square = fibres.apartSquare(centres[i], centres[j]);
+    if (square < near * near) visit(i, j, square);
+  });
+}
+
+/// What two discs of radius 1 have in common, over the area of one; `square`: of the distance of their centres, < 4.
+double commonShare(double square) {
+  const double half = 0.5 * std::sqrt(square);
+  return 2 / kPi * (std::acos(half) - half * std::sqrt(1 - half * half));
+}
+
 }  // namespace
+
+double meanOverlap(const DiscCentres& centres, const HelicalFibres& fibres) {
+  double sum = 0;
+  const double perRadius = 1 / fibres.radius_mm;
+  forPairsWithin(2 * fibres.radius_mm, centres, fibres,
+                 [&](int, int, double square) { sum += 2 * commonShare(square * perRadius * perRadius); });
+  return centres.empty() ? 0 : sum / static_cast<double>(centres.size());
+}
 
 bool Parting::knowsNeighbours(const DiscCentres& centres) const {
   if (looked_.size() != centres.size()) return false;
@@ -123,14 +150,8 @@ void Parting::findNeighbours(const DiscCentres& centres) {
   slack_mm_ = kSlack * fibres_.radius_mm;
   looked_ = centres;
   neighbours_.clear();
-  const double near = 2 * fibres_.radius_mm + slack_mm_;
-  const auto [narrowest, widest] = std::minmax(fibres_.section.up, fibres_.section.across);
-  // What is foreshortened is the way around the axis: towards it, fibres are as near as they look.
-  const double thickness = near / narrowest;
-  const auto reach = [&](double radius) { return thickness / fibres_.cosineAt(radius * radius * widest * widest); };
-  Rings(centres, thickness).pairs(reach, [&](int i, int j) {
-    if (fibres_.apartSquare(centres[i], centres[j]) < near * near) neighbours_.emplace_back(i, j);
-  });
+  forPairsWithin(2 * fibres_.radius_mm + slack_mm_, centres, fibres_,
+                 [this](int i, int j, double) { neighbours_.emplace_back(i, j); });
 }
 
 double Parting::sweep(DiscCentres& centres) {

@@ -35,6 +35,10 @@ struct HelicalFibres {
   }
 };
 
+/// How much of a fibre's section lies in other fibres, over its own; two that share some both count. Of fibres laid
+/// at random that is the share of the section that is fibre, of those that keep apart 0.
+double meanOverlap(const DiscCentres& centres_mm, const HelicalFibres& fibres);
+
 /// Moves the fibres of a section apart. It remembers which are neighbours until they have moved too far: keep one for
 /// each section.
 class Parting {

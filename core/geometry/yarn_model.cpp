@@ -150,6 +150,25 @@ void spin(YarnModel& m) {
   m.spool = g.evenness.isEven() ? nullptr : std::make_shared<Spool>(g.evenness, g.period, g.cellLength_mm, g.seed);
 }
 
+/// YarnModel::separation: what is packed keeps apart, but fibres that stray or that had no time to part overlap.
+double separationOf(const YarnModel& m) {
+  constexpr int kMoments = 8;  // of a pattern
+  const YarnGeometry& g = m.geometry;
+  const HelicalFibres fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm), g.usual()};
+  double overlap = 0;
+  DiscCentres centres(static_cast<size_t>(g.fibresPerPly));
+  for (const Migration& ply : m.plies)
+    for (int moment = 0; moment < kMoments; ++moment) {
+      const Migration::Moment at = ply.at((moment + 0.5) / kMoments);
+      for (int i = 0; i < ply.fibres(); ++i)
+        centres[static_cast<size_t>(i)] = glm::dvec2(ply.moves() ? ply.place(i, at) : ply.place(i));
+      overlap += meanOverlap(centres, fibres) / (kMoments * static_cast<double>(m.plies.size()));
+    }
+  const double room = g.plyRadius_mm * g.plyRadius_mm * g.usual().up * g.usual().across;
+  const double filled = g.fibresPerPly * g.fibreRadius_mm * g.fibreRadius_mm / room;
+  return std::clamp(1 - overlap / filled, 0.0, 1.0);
+}
+
 void measureStraight(YarnModel& m) {
   const PathNode straight = m.straightNode();
   m.straightLength_mm.clear();
@@ -223,6 +242,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
     if (!source.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));
   }
   g.count_tex = 1e6 * g.fibreMass_g_mm() * meanTakeUp(*model);
+  model->separation = separationOf(*model);
   spin(*model);  // last: fibres lie where they would in an even yarn
   return model;
 }

@@ -28,7 +28,8 @@ void CellCache::find(glm::ivec3 cell, Known& known) const {
   for (int i = 0; i < known.bricks.count; ++i) {
     const ClothVolume::CellBricks::Brick& brick = known.bricks.bricks[i];
     const YarnOptics& optics = cloth_.yarns[static_cast<int>(brick.system)][brick.yarn];
-    known.yarns[i] = {numberOf({brick.system, brick.index}), optics.fibreRadius_mm, optics.packed ? 1.0f : 0.0f};
+    known.yarns[i] = {numberOf({brick.system, brick.index}), optics.fibreRadius_mm, optics.packed ? 1.0f : 0.0f,
+                      optics.separation};
   }
 }
 
@@ -44,6 +45,7 @@ void CellCache::fill(glm::ivec3 cell, CellLanes& lanes, size_t lane) {
     slot.yarn[lane] = known.yarns[i].number;
     slot.radius_mm[lane] = known.yarns[i].radius_mm;
     slot.packed[lane] = known.yarns[i].packed;
+    slot.separation[lane] = known.yarns[i].separation;
   }
 }
 

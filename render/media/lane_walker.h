@@ -39,7 +39,7 @@ class CellCache {
   /// What CellLanes has of a brick beside those of ClothVolume::CellBricks.
   struct Yarn {
     int32_t number;
-    float radius_mm, packed;
+    float radius_mm, packed, separation;
   };
   struct Known {
     glm::ivec3 cell{-1};

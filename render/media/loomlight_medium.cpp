@@ -18,8 +18,9 @@ Vec3Of<float> numbersOf(glm::vec3 v) {
   return {v.x, v.y, v.z};
 }
 
-bool isWithin(glm::vec3 place, glm::vec3 size) {
-  return std::min({place.x, place.y, place.z}) >= 0 && place.x < size.x && place.y < size.y && place.z < size.z;
+bool isWithin(glm::vec3 place, glm::vec3 lower, glm::vec3 upper) {
+  return place.x >= lower.x && place.y >= lower.y && place.z >= lower.z && place.x < upper.x && place.y < upper.y &&
+         place.z < upper.z;
 }
 
 }  // namespace
@@ -86,16 +87,15 @@ size_t LoomlightMedium::offsetsAcross(const Collision& met, const Memory& memory
   RandomLanes<float> numbers(random);
   const FibreFrame frame(met.incoming);
   const glm::mat3 toCloth = toClothOf(met.place.tet);
-  const glm::vec3 size_mm = cloth_->volume->grid().size_mm;
-  const auto isInVoxel = [&](const Vec3Of<float>& w) {
+  const auto isInBox = [&](const Vec3Of<float>& w) {
     const glm::vec3 shift = radius_mm_ * (w.x * frame.y + w.y * frame.z) + 2 * meeting.ahead_mm * w.z * met.incoming;
-    return isWithin(meeting.inVoxel_mm + toCloth * shift, size_mm);
+    return isWithin(toCloth * shift, meeting.lower_mm, meeting.upper_mm);
   };
   size_t count = 1;
   offsets[count++] = offset(numbersOf(meeting.points[1]));
   for (size_t tried = 2; tried + 1 < offsets.size(); tried += 2) {
     const AntitheticPoints<float> w(numbers);
-    if (!isInVoxel(w.first) || !isInVoxel(w.second)) continue;
+    if (!isInBox(w.first) || !isInBox(w.second)) continue;
     offsets[count++] = offset(w.first);
     offsets[count++] = offset(w.second);
   }

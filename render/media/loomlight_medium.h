@@ -20,7 +20,12 @@ namespace loomlight {
 ///   light itself; in exchange light crosses the fibre it is in, from entry to exit. One without the other is far
 ///   wrong; together, with the shift above, they keep uniform light uniform (E - A = -d.grad phi: what leaves fibres
 ///   less what meets them is how the room between them changes). Only for FibreLayout::packed: fibres laid at random
-///   (the report's) overlap, so that gaps are Poisson and light sets out from where it came in.
+///   (the report's) overlap, so that gaps are Poisson and light sets out from where it came in. Fibres that were packed
+///   and stray overlap too: of phi counts what their yarn's separation has left (YarnModel), for gaps among fibres that
+///   lie anywhere are Poisson. Light may then set out from inside of another fibre, which it does not meet, among
+///   explicit fibres as here.
+/// boxes: at the rim of a yarn fibres fill a part of their voxel (VoxelBox), and are met there alone, as much denser.
+///   Spread over their voxels they would close the slits between yarns, which is where light comes through dense cloth.
 /// hot spot: the ways light came are free of fibres, so a fibre that would block both one of them and the new one is
 ///   not there: extinction at distance s is reduced by max(0, 1 - delta / 2r), delta the distance between both ways
 ///   seen along the fibre. With the light behind the eye nothing is in shadow. Two flights are remembered: with one,
@@ -46,8 +51,8 @@ class LoomlightMedium final : public Medium {
   struct HowMet {
     bool inOneVoxel = false;
     glm::vec3 points[2]{};  ///< the one that was taken first; along the axes of FibreFrame about the ray, and along it
-    glm::vec3 inVoxel_mm{0};  ///< where the light was, in cloth space, from the voxel's lower corner
-    float ahead_mm = 0;       ///< c
+    glm::vec3 lower_mm{0}, upper_mm{0};  ///< of the box where the axis is, from the light, in cloth space
+    float ahead_mm = 0;                  ///< c
   };
   /// Of a path. What is known of fibres is nothing without the hot spot.
   struct Memory {

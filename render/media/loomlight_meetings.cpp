@@ -20,13 +20,52 @@
 namespace loomlight {
 namespace {
 
+/// What of a ray's way through the voxel that it has found lies in a component's box, mm, times how crowded that is.
+class CrowdedLength {
+ public:
+  CrowdedLength(const FoundFibres& found, glm::vec3 direction, const VoxelGrid& grid)
+      : light_(found.inCell_mm / grid.size_mm - glm::vec3(found.voxel)) {
+    for (int axis = 0; axis < 3; ++axis) {
+      constexpr float kNever = 1e30f;
+      perWidth_[axis] = grid.size_mm[axis] / direction[axis];
+      if (!(std::abs(perWidth_[axis]) < kNever)) perWidth_[axis] = kNever;
+    }
+  }
+  float operator()(const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan&, VoxelBox box) const {
+    const glm::vec3 a = (box.lowerCorner() - light_) * perWidth_, b = (box.upperCorner() - light_) * perWidth_;
+    const glm::vec3 enter = glm::min(a, b), leave = glm::max(a, b);
+    const float length = std::min({leave.x, leave.y, leave.z}) - std::max({enter.x, enter.y, enter.z});
+    return std::max(length, 0.0f) * box.crowding();
+  }
+
+ private:
+  glm::vec3 light_;     ///< in widths of the voxel, from its corner
+  glm::vec3 perWidth_;  ///< distance along the ray by which it moves so far, mm
+};
+
+/// Which components reach to a place in their voxel, in widths of that, and how crowded they are.
+class AtPlace {
+ public:
+  explicit AtPlace(glm::vec3 place) : place_(place) {}
+  float operator()(const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan&, VoxelBox box) const {
+    const glm::vec3 lower = box.lowerCorner(), upper = box.upperCorner();
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(lower[axis] <= place_[axis] && place_[axis] < upper[axis])) return 0;
+    return box.crowding();
+  }
+
+ private:
+  glm::vec3 place_;
+};
+
 /// The share of extinction that a voxel's fibres have left near the flights before, and beside the fibre that the last
 /// of these flights came from: that one is met for itself, so a voxel must not count it again.
 class CorrelatedShare {
  public:
   CorrelatedShare(const LoomlightMeetings::Meeting& meeting, glm::vec3 light, const VoxelGrid& grid,
                   const glm::mat3& toCloth)
-      : known_(meeting.memory->known),
+      : along_(*meeting.found, toCloth * meeting.direction, grid),
+        known_(meeting.memory->known),
         middle_(light + meeting.found->toMiddle_mm * meeting.direction),
         lower_(glm::vec3(meeting.found->voxel) * grid.size_mm) {
     const KnownFibre& before = known_.before;
@@ -35,8 +74,8 @@ class CorrelatedShare {
                     glm::normalize(toCloth * before.tangent), before.radius_mm, grid);
   }
 
-  float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
-                   const VoxelContent::YarnSpan& span) const {
+  float operator()(const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span,
+                   VoxelBox box) const {
     float absent = 0;
     for (const RaySegment& past : known_.pastSegments)
       if (past.length_mm > 0)
@@ -44,10 +83,11 @@ class CorrelatedShare {
     float before = 0;
     if (before_ && YarnId{span.system, span.index} == known_.before.yarnId && optics.packed)
       before = std::min(1.0f, before_->lengthDensity(lower_) / fibres.lengthDensity);
-    return (1 - absent) * (1 - before);
+    return (1 - absent) * (1 - before) * along_(fibres, optics, span, box);
   }
 
  private:
+  CrowdedLength along_;
   const KnownFibres& known_;
   glm::vec3 middle_;  ///< of the ray in the voxel, world
   glm::vec3 lower_;   ///< corner of the voxel, from that of its cell
@@ -122,7 +162,9 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
     how.inOneVoxel = inOneVoxel_[lane] != 0;
     how.points[0] = vectorOf(points_[0]);
     how.points[1] = vectorOf(points_[1]);
-    how.inVoxel_mm = meeting.found->inCell_mm - glm::vec3(meeting.found->voxel) * cloth_.volume->grid().size_mm;
+    const glm::vec3 size = cloth_.volume->grid().size_mm, voxel(meeting.found->voxel);
+    how.lower_mm = (voxel + boxFound(meeting).lowerCorner()) * size - meeting.found->inCell_mm;
+    how.upper_mm = (voxel + boxFound(meeting).upperCorner()) * size - meeting.found->inCell_mm;
     how.ahead_mm = meeting.found->ahead_mm;
   }
 }
@@ -161,8 +203,15 @@ void LoomlightMeetings::lookForAxes(std::span<const Meeting> meetings, const Vec
   takenLook_ = takesFirst ? (elsewhere[0] > 0 ? lanes : own) : (elsewhere[1] > 0 ? lanes + kMost : own);
 }
 
-/// Of one of the points of each meeting, which leads so far from the light, in the world: for which the axis is in the
-/// very voxel that was found. For the others a look is wanted.
+/// Where in the voxel that was found its fibres are. Several components may be anywhere: each has a box of its own, and
+/// which of them is met is not known yet.
+VoxelBox LoomlightMeetings::boxFound(const Meeting& meeting) const {
+  const int component = meeting.found->component;
+  return component >= 0 ? cloth_.volume->components()[component].box() : VoxelBox();
+}
+
+/// Of one of the points of each meeting, which leads so far from the light, in the world: for which the axis is among
+/// the very fibres that were found. Where it is in another voxel a look is wanted.
 LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> meetings, size_t point,
                                                      const Vectors& shift) {
   const size_t count = meetings.size();
@@ -178,31 +227,38 @@ LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> me
   const auto voxel = columnsOf<Lanes>(count, [&](size_t i) { return glm::vec3(meetings[i].found->voxel); });
   const Vectors axis = light + inCloth;
   const Vectors inVoxel = axis - Vectors{size.x * voxel.x, size.y * voxel.y, size.z * voxel.z};
-  const Mask stays = (inVoxel.x >= 0) & (inVoxel.y >= 0) & (inVoxel.z >= 0) & (inVoxel.x < size.x) &
-                     (inVoxel.y < size.y) & (inVoxel.z < size.z);
+  const auto isWithin = [&inVoxel](const Vectors& lower, const Vectors& upper) {
+    return (inVoxel.x >= lower.x) & (inVoxel.y >= lower.y) & (inVoxel.z >= lower.z) & (inVoxel.x < upper.x) &
+           (inVoxel.y < upper.y) & (inVoxel.z < upper.z);
+  };
+  const Vectors whole{broadcast<Lanes>(size.x), broadcast<Lanes>(size.y), broadcast<Lanes>(size.z)};
+  const Mask inSame = isWithin(Vectors{}, whole);
   for (size_t lane = 0; lane < count; ++lane)
-    if (stays[lane] == 0) wantLook(meetings[lane], point * kMost + lane, {axis.x[lane], axis.y[lane], axis.z[lane]});
-  return stays;
+    if (inSame[lane] == 0) wantLook(meetings[lane], point * kMost + lane, {axis.x[lane], axis.y[lane], axis.z[lane]});
+  const auto lower = columnsOf<Lanes>(count, [&](size_t i) { return size * boxFound(meetings[i]).lowerCorner(); });
+  const auto upper = columnsOf<Lanes>(count, [&](size_t i) { return size * boxFound(meetings[i]).upperCorner(); });
+  return isWithin(lower, upper);
 }
 
 /// Into the voxel around a point, which is counted from the corner of the cell in which the light is. Outside of the
 /// piece there is none.
 void LoomlightMeetings::wantLook(const Meeting& meeting, size_t lane, glm::vec3 axis_mm) {
-  glm::ivec3 cell = meeting.found->cell, voxel;
-  if (!cloth_.volume->locate(axis_mm, cell, voxel)) return;
+  const auto place = cloth_.volume->locate(meeting.found->cell, axis_mm);
+  if (!place) return;
   LookLanes& l = *looks_;
   l.wanted[lane] = 1;
-  cells_[lane] = cell;
+  cells_[lane] = place->cell;
   for (int axis = 0; axis < 3; ++axis) {
     l.direction[axis][lane] = meeting.direction[axis];
-    l.voxel[axis][lane] = voxel[axis];
+    l.voxel[axis][lane] = place->voxel[axis];
+    l.inVoxel[axis][lane] = place->inVoxel[axis];
   }
   if (const LocalDrape& drape = meeting.found->drape; !drape.isometric) {
     for (int column = 0; column < 3; ++column)
       for (int row = 0; row < 3; ++row) l.frame[column][row][lane] = drape.frame[column][row];
     l.densityScale[lane] = drape.densityScale;
   }
-  walker_.cells().fill(cell, l.cell, lane);
+  walker_.cells().fill(place->cell, l.cell, lane);
 }
 
 /// The component that a meeting is with.
@@ -215,7 +271,8 @@ void LoomlightMeetings::choose(const Meeting& meeting, size_t lane, Fibres& fibr
   VoxelContent content;
   const glm::ivec3 voxel(looks_->voxel[0][i], looks_->voxel[1][i], looks_->voxel[2][i]);
   walker_.cells().bricksIn(cells_[i]).content(*cloth_.volume, voxel, content);
-  chooseAmong(meeting, lane, content, fibres, WholeExtinction{});
+  const AtPlace atPlace({looks_->inVoxel[0][i], looks_->inVoxel[1][i], looks_->inVoxel[2][i]});
+  chooseAmong(meeting, lane, content, fibres, atPlace);
 }
 
 /// In the voxel that the walk has found.
@@ -224,8 +281,12 @@ void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, Fibres&
   if (found.component >= 0) return take(meeting, lane, found.cell, found.component, found.slot, fibres);
   VoxelContent content;
   walker_.cells().bricksIn(found.cell).content(*cloth_.volume, found.voxel, content);
-  if (!medium_.ingredients().hotSpot) return chooseAmong(meeting, lane, content, fibres, WholeExtinction{});
-  const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), medium_.toClothOf(found.tet));
+  const glm::mat3 toCloth = medium_.toClothOf(found.tet);
+  if (!medium_.ingredients().hotSpot) {
+    const CrowdedLength along(found, toCloth * meeting.direction, cloth_.volume->grid());
+    return chooseAmong(meeting, lane, content, fibres, along);
+  }
+  const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), toCloth);
   chooseAmong(meeting, lane, content, fibres, share);
 }
 

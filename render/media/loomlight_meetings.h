@@ -37,6 +37,7 @@ class LoomlightMeetings {
   /// Which fibres each meeting is with.
   struct Fibres;
   void lookForAxes(std::span<const Meeting> meetings, const Vectors& direction, RandomLanes<Lanes>& random);
+  VoxelBox boxFound(const Meeting& meeting) const;
   Mask lookThere(std::span<const Meeting> meetings, size_t point, const Vectors& shift);
   void wantLook(const Meeting& meeting, size_t lane, glm::vec3 axis_mm);
   void choose(const Meeting& meeting, size_t lane, Fibres& fibres);

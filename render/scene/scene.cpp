@@ -78,12 +78,14 @@ std::vector<YarnOptics> makeYarnOptics(const Fabric& fabric, const ClothGeometry
     const int index = static_cast<int>(i);
     const YarnCellKey key = system == System::warp ? geometry.key(system, 0, index) : geometry.key(system, index, 0);
     const Yarn& yarn = fabric.yarns[sequence[i]];
+    const bool packed = yarn.layout == FibreLayout::packed;
     optics[sequence[i]] = {yarn.fibre,
-                           yarn.layout == FibreLayout::packed,
+                           packed,
                            static_cast<float>(geometry.yarn(system, key.yarn).fibreRadius_mm),
                            yarn.blendFibre.value_or(yarn.fibre),
                            static_cast<float>(0.01 * yarn.shadeVariation_percent),
-                           static_cast<float>(blendNumberShare(yarn, fabric.fibres))};
+                           static_cast<float>(blendNumberShare(yarn, fabric.fibres)),
+                           packed ? static_cast<float>(geometry.separation(system, key.yarn)) : 0.0f};
   }
   return optics;
 }

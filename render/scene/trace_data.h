@@ -23,11 +23,12 @@ struct Material {
 /// What light meets in a yarn beside the statistics of its components, per Fabric::yarns and system.
 struct YarnOptics {
   int material = 0;          ///< index into TraceData::materials
-  bool packed = false;       ///< FibreLayout::packed: its fibres do not overlap
+  bool packed = false;       ///< FibreLayout::packed: light goes on where it leaves a fibre, not where it met it
   float fibreRadius_mm = 0;  ///< of an even yarn: uneven ones have more of them where they are thick
   int blendMaterial = 0;     ///< the second material of a blended yarn (Yarn::blendFibre)
   float shadeVariation = 0;  ///< of its threads (thread_shade.h), 0..1
   float blendShare = 0;      ///< how many of its fibres are of that one, by number, 0..1; 0: no blend
+  float separation = 0;      ///< YarnModel::separation; of fibres that are not packed, 0
 };
 
 /// All of a scene that decides where light goes inside of the cloth, and nothing of what colour it has or where it

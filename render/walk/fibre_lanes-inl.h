@@ -16,14 +16,15 @@ namespace loomlight::HWY_NAMESPACE {
 struct FibreLanes {
   Vector direction;
   Real spread, lengthDensity;
+  Whole box;  ///< VoxelBox::code()
 };
 
 /// The components of these numbers.
 HWY_INLINE FibreLanes decode(const Component* components, Whole number) {
-  static_assert(sizeof(Component) == 6);
-  const Whole byte = number * Whole(6);
-  const Whole bits = gatherBytes(components, byte);
-  const Whole density = shiftedRight<16>(gatherBytes(components, byte + Whole(2)));  // reads nothing beyond
+  static_assert(sizeof(Component) == 8);
+  const Whole byte = shiftedLeft<3>(number);
+  const Whole bits = gatherBytes(components, byte), densityAndBox = gatherBytes(components, byte + Whole(4));
+  const Whole density = densityAndBox & Whole(0xFFFF);
   const Real step(1.0f / Component::kAxisCentre);
   const Real u = toReal((bits & Whole(0xFFF)) - Whole(Component::kAxisCentre)) * step;
   const Real v = toReal((shiftedRight<12>(bits) & Whole(0xFFF)) - Whole(Component::kAxisCentre)) * step;
@@ -32,14 +33,34 @@ HWY_INLINE FibreLanes decode(const Component* components, Whole number) {
   const Real scale = Real(1.0f) / squareRoot(x * x + y * y + z * z);
   const Real root = toReal(shiftedRight<24>(bits)) * Real(1.0f / 255.0f);
   const Real length = realOfBits(shiftedLeft<12>(density) + Whole(static_cast<int32_t>(Component::kDensityBias)));
-  return {Vector{x, y, z} * scale, root * root, orZero(~(density == Whole(0)), length)};
+  return {Vector{x, y, z} * scale, root * root, orZero(~(density == Whole(0)), length),
+          shiftedRight<16>(densityAndBox)};
 }
+
+/// VoxelBox of each ray.
+struct BoxLanes {
+  Real lower[3], upper[3];  ///< in widths of the voxel
+  Real crowding;
+
+  HWY_INLINE explicit BoxLanes(Whole code) {
+    const Real part(1.0f / VoxelBox::kParts);
+    const Whole codes[3] = {code & Whole(31), shiftedRight<VoxelBox::kAxisBits>(code) & Whole(31),
+                            shiftedRight<2 * VoxelBox::kAxisBits>(code) & Whole(31)};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Whole a = shiftedRight<3>(codes[axis]), b = codes[axis] & Whole(7), all(VoxelBox::kParts);
+      const Mask plain = a < b;
+      lower[axis] = toReal(choose(plain, a, all - a)) * part;
+      upper[axis] = toReal(choose(plain, b, all - b)) * part;
+    }
+    crowding = Real(1.0f) / ((upper[0] - lower[0]) * (upper[1] - lower[1]) * (upper[2] - lower[2]));
+  }
+};
 
 /// As the cloth lies in the world; `frame` has its columns.
 HWY_INLINE FibreLanes inWorld(const FibreLanes& fibres, const Vector (&frame)[3], Real densityScale) {
   const Vector bent = frame[0] * fibres.direction.x + frame[1] * fibres.direction.y + frame[2] * fibres.direction.z;
   const Real stretch = squareRoot(dot(bent, bent));
-  return {bent * (Real(1.0f) / stretch), fibres.spread, fibres.lengthDensity * (stretch * densityScale)};
+  return {bent * (Real(1.0f) / stretch), fibres.spread, fibres.lengthDensity * (stretch * densityScale), fibres.box};
 }
 
 /// Of two neighbours of the table, in units of it.

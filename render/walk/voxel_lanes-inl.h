@@ -20,7 +20,7 @@ class VoxelLanes {
     Whole byte;          ///< of the block that the voxel is in
     Whole occupiedWord;  ///< BrickBlock::occupied, the half with the voxel's bit
     Whole slot, yarn;
-    Real radius, packed;
+    Real radius, packed, separation;
   };
 
   HWY_INLINE VoxelLanes(const WalkField& field, const CellLanes& cell, size_t lane)
@@ -85,7 +85,7 @@ class VoxelLanes {
   HWY_INLINE Mask takeBrick(Taken& taken) {
     Mask has = Whole(0) == Whole(1);
     taken.byte = taken.occupiedWord = taken.slot = taken.yarn = Whole(0);
-    taken.radius = taken.packed = Real(0.0f);
+    taken.radius = taken.packed = taken.separation = Real(0.0f);
     for (int slot = 0; slot < slots_; ++slot) {
       const Mask takes = holds_[slot] & ~has;
       const CellLanes::Slot& brick = cell_.slots[slot];
@@ -95,6 +95,7 @@ class VoxelLanes {
       taken.yarn = choose(takes, Whole::of(&brick.yarn[lane_]), taken.yarn);
       taken.radius = choose(takes, Real::of(&brick.radius_mm[lane_]), taken.radius);
       taken.packed = choose(takes, Real::of(&brick.packed[lane_]), taken.packed);
+      taken.separation = choose(takes, Real::of(&brick.separation[lane_]), taken.separation);
       has = has | takes;
       holds_[slot] = holds_[slot] & ~takes;
     }

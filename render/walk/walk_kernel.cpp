@@ -79,25 +79,56 @@ class Step {
     leave_ = least(faceAt_, Real::of(&lanes_.tEnd[lane_]));
   }
 
-  /// Over all components of the voxel: VoxelExtinction.
+  /// Over all components of the voxel: VoxelExtinction, of that part of the ray that goes through any of their boxes.
   HWY_INLINE void sumFibres() {
-    total_ = solid_ = packed_ = Real(0.0f);
+    total_ = solid_ = kept_ = Real(0.0f);
+    first_ = leave_;
+    last_ = enter_;
     found_ = Contents();
     middle_ = Real(0.5f) * (enter_ + leave_);
     const auto add = [this](Mask holds, Whole component, const VoxelLanes::Taken& taken)
                          HWY_ATTR { addFibres(holds, component, taken); };
     voxelLanes_.forEachComponent(add);
+    occupied_ = occupied_ & goes_ & (first_ < last_);
+    const Real perLength = Real(1.0f) / choose(occupied_, last_ - first_, Real(1.0f));
+    for (Real* sum : {&total_, &solid_, &kept_, &found_.whole}) *sum = *sum * perLength;
   }
 
+  /// Goes on from sums over a length.
   HWY_INLINE void addFibres(Mask holds, Whole component, const VoxelLanes::Taken& taken) {
     const FibreLanes fibres = fibresOf(field_, lanes_, lane_, holds, component);
-    const Real extinction = extinctionOf(field_, holds, fibres, vectorOf(lanes_.direction, lane_), taken.radius);
+    Real enter = enter_, leave = leave_, crowding(1.0f);
+    const Mask inBox = holds & ~(fibres.box == Whole(VoxelBox().code()));
+    if (any(inBox)) clip(BoxLanes(fibres.box), inBox, enter, leave, crowding);
+    const Mask through = holds & (enter < leave);
+    first_ = choose(through, least(first_, enter), first_);
+    last_ = choose(through, most(last_, leave), last_);
+    const Real crowdedLength = orZero(through, crowding * (leave - enter));
+    const Real extinction =
+        crowdedLength * extinctionOf(field_, through, fibres, vectorOf(lanes_.direction, lane_), taken.radius);
     const Real section = Real(static_cast<float>(kPi)) * taken.radius * taken.radius;
-    const Real solid = orZero(holds, section * fibres.lengthDensity);
-    found_.add(holds, component, taken.slot, extinction);
+    const Real solid = crowdedLength * section * fibres.lengthDensity;
+    found_.add(through, component, taken.slot, extinction);
     solid_ = solid_ + solid;
-    packed_ = packed_ + solid * taken.packed;
-    total_ = total_ + (field_.hotSpot ? extinction * shareLeft(holds, fibres, taken) : extinction);
+    kept_ = kept_ + solid * taken.separation;
+    total_ = total_ + (field_.hotSpot ? extinction * shareLeft(through, fibres, taken) : extinction);
+  }
+
+  /// Of some rays, what of their way through the voxel goes through a box there.
+  HWY_INLINE void clip(const BoxLanes& box, Mask inBox, Real& enter, Real& leave, Real& crowding) {
+    Real from = enter, to = leave;
+    const Real sizes[3] = {size_.x, size_.y, size_.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Real voxel = toReal(voxel_[axis]), start = Real::of(&lanes_.start_mm[axis][lane_]),
+                 inverse = Real::of(&lanes_.inverse[axis][lane_]);
+      const Real a = ((voxel + box.lower[axis]) * sizes[axis] - start) * inverse;
+      const Real b = ((voxel + box.upper[axis]) * sizes[axis] - start) * inverse;
+      from = most(from, least(a, b));
+      to = least(to, most(a, b));
+    }
+    enter = choose(inBox, from, enter);
+    leave = choose(inBox, to, leave);
+    crowding = choose(inBox, box.crowding, crowding);
   }
 
   /// What the flights before and the fibre that the last of them came from leave of such fibres.
@@ -119,19 +150,18 @@ class Step {
   /// Where the light goes along these fibres, and whether it meets one of them.
   HWY_INLINE void useUpDepth() {
     const Real lastEnd = Real::of(&lanes_.lastEnd[lane_]), lastFilled = Real::of(&lanes_.lastFilled[lane_]);
-    const Real filledBefore = orZero(enter_ - lastEnd < Real(1e-5f), lastFilled);
-    const Real filled = field_.packing ? least(packed_, Real(kFullest)) : Real(0.0f);
-    occupied_ = occupied_ & goes_;
-    choose(occupied_, leave_, lastEnd).to(&lanes_.lastEnd[lane_]);
+    const Real filledBefore = orZero(first_ - lastEnd < Real(1e-5f), lastFilled);
+    const Real filled = field_.packing ? least(kept_, Real(kFullest)) : Real(0.0f);
+    choose(occupied_, last_, lastEnd).to(&lanes_.lastEnd[lane_]);
     choose(occupied_, filled, lastFilled).to(&lanes_.lastFilled[lane_]);
 
     const Mask some = occupied_ & (Real(0.0f) < found_.whole);
     const Real ahead = least(Real(0.5f) * solid_ / choose(some, found_.whole, Real(1.0f)), Real(field_.farthest_mm));
-    const Real start = most(enter_, Real::of(&lanes_.lightStart[lane_]) + ahead),
-               stop = least(leave_, Real::of(&lanes_.lightEnd[lane_]) + ahead);
+    const Real start = most(first_, Real::of(&lanes_.lightStart[lane_]) + ahead),
+               stop = least(last_, Real::of(&lanes_.lightEnd[lane_]) + ahead);
     const Mask along = some & (start < stop);
     const Real length = stop - start;
-    const Real near = least(most(enter_ + ahead - start, Real(0.0f)), length);
+    const Real near = least(most(first_ + ahead - start, Real(0.0f)), length);
     const Real sigmaNear = total_ / (Real(1.0f) - filledBefore), sigma = total_ / (Real(1.0f) - filled);
     const Real depthNear = sigmaNear * near, depth = depthNear + sigma * (length - near);
     const Real left = Real::of(&lanes_.depth[lane_]);
@@ -175,7 +205,8 @@ class Step {
   // As it finds out:
   Mask through_[3];  ///< the face that it leaves by
   Real faceAt_, leave_, middle_;
-  Real total_, solid_, packed_;
+  Real total_, solid_, kept_;
+  Real first_, last_;  ///< where the ray comes into the first box of fibres, and leaves the last
   Contents found_;
   Mask occupied_, met_;
 };
@@ -202,8 +233,14 @@ void lookLanes(const WalkField& field, LookLanes& lanes) {
     Contents found;
     const auto add = [&](Mask holds, Whole component, const VoxelLanes::Taken& taken) HWY_ATTR {
       const FibreLanes fibres = fibresOf(field, lanes, lane, holds, component);
-      found.add(holds, component, taken.slot,
-                extinctionOf(field, holds, fibres, vectorOf(lanes.direction, lane), taken.radius));
+      const BoxLanes box(fibres.box);
+      Mask there = holds;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Real place = Real::of(&lanes.inVoxel[axis][lane]);
+        there = there & (box.lower[axis] <= place) & (place < box.upper[axis]);
+      }
+      const Real extinction = extinctionOf(field, there, fibres, vectorOf(lanes.direction, lane), taken.radius);
+      found.add(there, component, taken.slot, orZero(there, box.crowding) * extinction);
     };
     VoxelLanes voxels(field, lanes.cell, lane);
     voxels.open(voxel, wanted);

@@ -59,15 +59,16 @@ struct CellLanes {
     LaneInts shift[3];  ///< from blocks of the cell to those of the brick
     LaneInts size[3];   ///< of the brick, in blocks
     LaneInts firstBlock;
-    LaneInts yarn;         ///< which end or pick: 2 index + system
-    LaneFloats radius_mm;  ///< of its fibres
-    LaneFloats packed;     ///< 1: its fibres do not overlap; else 0
+    LaneInts yarn;          ///< which end or pick: 2 index + system
+    LaneFloats radius_mm;   ///< of its fibres
+    LaneFloats packed;      ///< 1: YarnOptics::packed; else 0
+    LaneFloats separation;  ///< YarnOptics::separation
   } slots[kSlots];
 };
 
 /// Which fibres a voxel of each ray holds.
 struct FoundLanes {
-  LaneFloats whole;    ///< extinction, 1/mm
+  LaneFloats whole;    ///< extinction, 1/mm, along what a ray goes through of their boxes, or at a place
   LaneInts component;  ///< the number of the voxel's component, if it has one alone; kNone or kSeveral if not
   LaneInts slot;       ///< whose brick that component is in
   static constexpr int32_t kNone = -1, kSeveral = -2;
@@ -124,11 +125,12 @@ struct alignas(64) WalkLanes {
 /// block for each brick in reach, and where it holds anything the component and four numbers of the table I(alpha, s).
 void walk(const WalkField& field, WalkLanes& lanes);
 
-/// Looks for fibres that some rays meet, each in one voxel.
+/// Looks for fibres that some rays meet, each at one place of a voxel.
 struct alignas(64) LookLanes {
   alignas(64) LaneInts wanted;  ///< 1 where a ray looks; else 0
   LaneFloats direction[3];      ///< unit, of the world
   LaneInts voxel[3];            ///< counted from the corner of the cell
+  LaneFloats inVoxel[3];        ///< where it looks, in widths of the voxel from the corner of that
   LaneFloats frame[3][3];       ///< as WalkLanes'
   LaneFloats densityScale;      ///< as WalkLanes'
   CellLanes cell;

@@ -39,7 +39,7 @@ void ComponentEncoder::encodeBatch() {
     const double length = batch_[i].length_mm();
     const double kept = components[i].lengthDensity() * volumes_mm3_[i];
     Encoded& one = encoded_[number];
-    one.component = components[i];
+    one.component = components[i].within(boxes_[i]);
     one.volume_mm3 = volumes_mm3_[i];
     one.lost_mm = length - kept;
     lost_mm_ += one.lost_mm;

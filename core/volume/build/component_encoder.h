@@ -14,8 +14,8 @@ class ComponentEncoder {
  public:
   ComponentEncoder();
 
-  /// length > 0.
-  void add(const FibreMoments& moments, double volume_mm3);
+  /// Of fibres whose length is > 0, and which lie in this part of a voxel of that volume.
+  void add(const FibreMoments& moments, double volume_mm3, VoxelBox box);
   size_t count() const { return encoded_.size() + static_cast<size_t>(inBatch_); }  ///< added since the last take()
   /// One component for each add(), in that order; those too thin for a length density have 0. Starts anew.
   std::vector<Component> take();
@@ -37,15 +37,17 @@ class ComponentEncoder {
 
   FitBatch batch_;
   std::array<double, kFitBatch> volumes_mm3_;
+  std::array<VoxelBox, kFitBatch> boxes_;
   int inBatch_ = 0;
   std::vector<Encoded> encoded_;
   std::array<int, kClasses> first_;  ///< of each class
   double lost_mm_ = 0;               ///< of all components
 };
 
-inline void ComponentEncoder::add(const FibreMoments& moments, double volume_mm3) {
+inline void ComponentEncoder::add(const FibreMoments& moments, double volume_mm3, VoxelBox box) {
   batch_[inBatch_] = moments;
   volumes_mm3_[inBatch_] = volume_mm3;
+  boxes_[inBatch_] = box;
   if (++inBatch_ == kFitBatch) encodeBatch();
 }
 

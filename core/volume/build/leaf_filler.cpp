@@ -70,7 +70,8 @@ void LeafFiller::reset(const CellStrands& strands, System system, const VoxelFra
     high = most(high, point + reach);
   }
   const Int32x4 a = VoxelFrame::voxelOf(frame(low)), b = VoxelFrame::voxelOf(frame(high));
-  leaves.reset(grid, frame.first() + glm::ivec3(a[0], a[1], a[2]), frame.first() + glm::ivec3(b[0], b[1], b[2]));
+  leaves.reset(grid, frame.first() + glm::ivec3(a[0], a[1], a[2]), frame.first() + glm::ivec3(b[0], b[1], b[2]),
+               frame.first(), strands.fibreRadius_mm);
   for (int axis = 0; axis < 3; ++axis) {
     offsets_[axis].clear();
     for (int v = 0; v <= b[axis]; ++v) offsets_[axis].push_back(leaves.offset(axis, frame.first()[axis] + v));
@@ -141,16 +142,24 @@ void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) 
   const Int32x4 first = points_[0].voxel;
   int32_t ox = offsets_[0][first[0]], oy = offsets_[1][first[1]], oz = offsets_[2][first[2]];
   const FibreMoments* const sums = sums_.data();
+  const Point* const points = points_.data();
   Float64x4 squares{}, others{};  // of the strand up to where it came into the voxel
+  Float32x4 cameIn = points[0].at;
   for (int left = crossingCounts_[0] + crossingCounts_[1] + crossingCounts_[2]; left > 0; --left) {
-    FibreMoments& here = leaves.at(ox + oy + oz, strand.ply);
+    const MomentLevel::Fibres here = leaves.at(ox + oy + oz, strand.ply);
     const uint64_t next = std::min(x->when, std::min(y->when, z->when));
-    const FibreMoments &to = sums[next >> 32], &from = *(&to - 1);
-    const double share = std::bit_cast<float>(static_cast<uint32_t>(next));
+    const size_t point = next >> 32;
+    const FibreMoments &to = sums[point], &from = *(&to - 1);
+    const float partOf = std::bit_cast<float>(static_cast<uint32_t>(next));
+    const double share = partOf;
     const Float64x4 nowSquares = from.squares + share * (to.squares - from.squares);
     const Float64x4 nowOthers = from.others + share * (to.others - from.others);
-    here.squares += nowSquares - squares;
-    here.others += nowOthers - others;
+    here.moments.squares += nowSquares - squares;
+    here.moments.others += nowOthers - others;
+    const Float32x4 before = points[point - 1].at, goesOut = before + partOf * (points[point].at - before);
+    here.bounds.add(cameIn);
+    here.bounds.add(goesOut);
+    cameIn = goesOut;
     squares = nowSquares;
     others = nowOthers;
     const bool isX = x->when == next, isY = !isX & (y->when == next), isZ = !isX & !isY;
@@ -161,9 +170,11 @@ void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) 
     y += isY;
     z += isZ;
   }
-  FibreMoments& last = leaves.at(ox + oy + oz, strand.ply);
-  last.squares += sums[strand.count - 1].squares - squares;
-  last.others += sums[strand.count - 1].others - others;
+  const MomentLevel::Fibres last = leaves.at(ox + oy + oz, strand.ply);
+  last.moments.squares += sums[strand.count - 1].squares - squares;
+  last.moments.others += sums[strand.count - 1].others - others;
+  last.bounds.add(cameIn);
+  last.bounds.add(points[strand.count - 1].at);
 }
 
 }  // namespace loomlight

@@ -8,11 +8,18 @@
 // voxels are empty and most of the others have fibres of one ply, so each voxel has the head of a linked list of
 // moments, one for each ply; -1 where there is none. A coarser level adds the lists of eight voxels into one. fit()
 // turns a voxel's list into components: where there are more than two plies, the pair whose merging loses least is
-// merged until two are left. Voxels are encoded in order of their number, so that the components of a block lie
-// together.
+// merged until two are left. Its box ends where its fibres do, but goes on to the face of the voxel where the yarn goes
+// on beyond it: a rim is where the next voxel holds little. Voxels are encoded in order of their number, so that the
+// components of a block lie together.
 
 namespace loomlight {
 namespace {
+
+/// Where the next voxel holds more than this share of what a voxel does, the yarn goes on there: no rim lies between.
+constexpr double kRim = 0.25;
+/// Voxels of so many fibre radii have boxes. Narrower ones hold two or three fibres, and show rims themselves; boxes
+/// about so few would leave gaps between fibres that are side by side.
+constexpr float kWide = 5;
 
 int floorDivide(int a, int b) {
   return a >= 0 ? a / b : -((-a + b - 1) / b);
@@ -48,6 +55,7 @@ constexpr auto kHalved = makeHalved();
 /// The moments of one ply in a voxel, or of several that had to be merged.
 struct PlyMoments {
   FibreMoments moments;
+  VoxelBox box;
   uint8_t ply;
 };
 
@@ -67,6 +75,7 @@ void mergeToTwo(std::vector<PlyMoments>& plies) {
       }
     }
     plies[first].moments.add(plies[second].moments);
+    plies[first].box = around(plies[first].box, plies[second].box);
     plies.erase(plies.begin() + static_cast<std::ptrdiff_t>(second));
   }
 }
@@ -95,6 +104,7 @@ void dropEmpty(Brick& brick) {
 }  // namespace
 
 void MomentLevel::resetBlocks(const VoxelGrid& grid, glm::ivec3 lower, glm::ivec3 blocks) {
+  hasBoxes_ = false;
   grid_ = grid;
   perCell_ = blocksPerCell(grid);
   lower_ = lower;
@@ -103,11 +113,16 @@ void MomentLevel::resetBlocks(const VoxelGrid& grid, glm::ivec3 lower, glm::ivec
   heads_.assign(64 * occupied_.size(), -1);
   links_.clear();
   moments_.clear();
+  bounds_.clear();
 }
 
-void MomentLevel::reset(const VoxelGrid& leaves, glm::ivec3 first, glm::ivec3 last) {
+void MomentLevel::reset(const VoxelGrid& leaves, glm::ivec3 first, glm::ivec3 last, glm::ivec3 origin,
+                        float fibreRadius_mm) {
+  origin_ = origin;
   const glm::ivec3 lower = blockOf(first, leaves.cell);
   resetBlocks(leaves, lower, blockOf(last, leaves.cell) + 1 - lower);
+  const glm::vec3 size = leaves.size_mm;
+  hasBoxes_ = leaves.level == 0 && std::min({size.x, size.y, size.z}) >= kWide * fibreRadius_mm;
 }
 
 int32_t MomentLevel::offset(int axis, int v) const {
@@ -122,11 +137,11 @@ glm::ivec3 MomentLevel::blockAt(size_t number) const {
   return lower_ + glm::ivec3(n % blocks_.x, n / blocks_.x % blocks_.y, n / (blocks_.x * blocks_.y));
 }
 
-FibreMoments& MomentLevel::append(int32_t voxel, uint8_t ply) {
+MomentLevel::Fibres MomentLevel::append(int32_t voxel, uint8_t ply) {
   links_.push_back({heads_[voxel], ply});
   heads_[voxel] = static_cast<int32_t>(moments_.size());
   occupied_[voxel >> 6] |= uint64_t{1} << (voxel & 63);
-  return moments_.emplace_back();
+  return {moments_.emplace_back(), bounds_.emplace_back()};
 }
 
 void MomentLevel::resetToCoarser(const MomentLevel& finer) {
@@ -148,26 +163,52 @@ void MomentLevel::resetToCoarser(const MomentLevel& finer) {
     for (uint64_t rest = finer.occupied_[number]; rest != 0; rest &= rest - 1) {
       const int voxel = std::countr_zero(rest);
       for (int32_t i = finer.heads_[64 * number + voxel]; i >= 0; i = finer.links_[i].next)
-        at(first + kHalved[voxel], finer.links_[i].ply).add(finer.moments_[i]);
+        at(first + kHalved[voxel], finer.links_[i].ply).moments.add(finer.moments_[i]);
     }
   }
 }
 
-int MomentLevel::encodeMany(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
+double MomentLevel::length_mm(glm::ivec3 voxel, uint8_t ply) const {
+  if (voxel.z < 0 || voxel.z >= grid_.perCell().z) return 0;
+  const glm::ivec3 block = blockOf(voxel, grid_.perCell()) - lower_;
+  if (glm::any(glm::lessThan(block, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(block, blocks_))) return 0;
+  const int32_t number = offset(0, voxel.x) + offset(1, voxel.y) + offset(2, voxel.z);
+  for (int32_t i = heads_[number]; i >= 0; i = links_[i].next)
+    if (links_[i].ply == ply) return moments_[i].length_mm();
+  return 0;
+}
+
+VoxelBox MomentLevel::boxOf(size_t fibres, glm::ivec3 voxel) const {
+  if (!hasBoxes_) return {};
+  const glm::vec3 corner(voxel - origin_);
+  const Float32x4 from{corner.x, corner.y, corner.z, 0};
+  Float32x4 lower = bounds_[fibres].lower - from, upper = bounds_[fibres].upper - from;
+  const double most = kRim * moments_[fibres].length_mm();
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::ivec3 step(0);
+    step[axis] = 1;
+    if (lower[axis] > 0 && length_mm(voxel - step, links_[fibres].ply) > most) lower[axis] = 0;
+    if (upper[axis] < 1 && length_mm(voxel + step, links_[fibres].ply) > most) upper[axis] = 1;
+  }
+  return VoxelBox::nearest(lower, upper);
+}
+
+int MomentLevel::encodeMany(const Place& place, ComponentEncoder& encoder) const {
   std::vector<PlyMoments> plies;
-  for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
-    if (moments_[i].length_mm() > 0) plies.push_back({moments_[i], links_[i].ply});
+  for (int32_t i = heads_[place.number]; i >= 0; i = links_[i].next)
+    if (moments_[i].length_mm() > 0)
+      plies.push_back({moments_[i], boxOf(static_cast<size_t>(i), place.voxel), links_[i].ply});
   std::sort(plies.begin(), plies.end(), [](const PlyMoments& a, const PlyMoments& b) { return a.ply < b.ply; });
   mergeToTwo(plies);
-  for (const PlyMoments& ply : plies) encoder.add(ply.moments, volume_mm3);
+  for (const PlyMoments& ply : plies) encoder.add(ply.moments, place.volume_mm3, ply.box);
   return static_cast<int>(plies.size());
 }
 
-inline int MomentLevel::encode(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
-  const int32_t head = heads_[voxel];
-  if (links_[head].next >= 0) return encodeMany(voxel, volume_mm3, encoder);
+inline int MomentLevel::encode(const Place& place, ComponentEncoder& encoder) const {
+  const int32_t head = heads_[place.number];
+  if (links_[head].next >= 0) return encodeMany(place, encoder);
   if (!(moments_[head].length_mm() > 0)) return 0;
-  encoder.add(moments_[head], volume_mm3);
+  encoder.add(moments_[head], place.volume_mm3, boxOf(static_cast<size_t>(head), place.voxel));
   return 1;
 }
 
@@ -181,14 +222,17 @@ Brick MomentLevel::fit(ComponentEncoder& encoder, size_t segments) const {
     if (occupied_[number] == 0) continue;
     BrickBlock& block = result.blocks[number];
     block.first = static_cast<uint32_t>(encoder.count());
-    const glm::ivec3 corner = 4 * positionOf(blockAt(number), perCell_).inCell;
+    const BlockPosition position = positionOf(blockAt(number), perCell_);
+    const glm::ivec3 corner = 4 * position.inCell, first = position.cell * result.cell + corner;
     std::array<std::array<double, 4>, 3> extents_mm;
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i < 4; ++i) extents_mm[axis][i] = grid_.extent_mm(axis, corner[axis] + i);
     for (uint64_t rest = occupied_[number]; rest != 0; rest &= rest - 1) {
       const int bit = std::countr_zero(rest);
       const double volume = extents_mm[0][bit & 3] * extents_mm[1][bit >> 2 & 3] * extents_mm[2][bit >> 4];
-      const int plies = encode(static_cast<int32_t>(64 * number) + bit, volume, encoder);
+      const glm::ivec3 voxel = first + glm::ivec3(bit & 3, bit >> 2 & 3, bit >> 4);
+      const Place place{static_cast<int32_t>(64 * number) + bit, voxel, volume};
+      const int plies = encode(place, encoder);
       block.occupied |= static_cast<uint64_t>(plies > 0) << bit;
       block.second |= static_cast<uint64_t>(plies > 1) << bit;
     }

@@ -16,7 +16,7 @@ namespace loomlight {
 /// All bricks of one grid that anybody holds: their blocks lie in one arena, their components in another, so that a
 /// traversal comes from a brick's number to a voxel's components by offsets alone. A brick stays where it is until
 /// nobody holds it any more; then its ranges are given back. Volumes that come out of one another by edits share a
-/// pool. May be used by several threads; bricks that are held may be read meanwhile. About 6 bytes a component, 24
+/// pool. May be used by several threads; bricks that are held may be read meanwhile. About 8 bytes a component, 24
 /// bytes a block of 64 voxels and 64 bytes a brick.
 class BrickPool {
  public:

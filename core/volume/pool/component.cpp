@@ -80,8 +80,8 @@ void Component::encode(const std::array<DistributionLanes, 2>& distributions, Co
     for (int i = 0; i < kLanes<Float64x4>; ++i) {
       const uint32_t bits = static_cast<uint32_t>(directions[half * kLanes<Float64x4> + i] | spreads[i] << 24);
       Component& component = eight[half * kLanes<Float64x4> + i];
-      component.low_ = static_cast<uint16_t>(bits);
-      component.high_ = static_cast<uint16_t>(bits >> 16);
+      component = {};
+      component.directionAndSpread_ = bits;
       component.density_ = static_cast<uint16_t>(densities[i]);
     }
   }

@@ -8,6 +8,7 @@
 
 #include "core/base/simd.h"
 #include "core/base/units.h"
+#include "core/volume/pool/voxel_box.h"
 
 namespace loomlight {
 
@@ -24,7 +25,8 @@ struct DistributionLanes {
   Float64x4 spread, lengthDensity;
 };
 
-/// A FibreDistribution in 6 bytes: direction 2 x 12 bits and spread 8, from the low bits up; length density 16.
+/// A FibreDistribution in 8 bytes: direction 2 x 12 bits and spread 8, from the low bits up; length density 16; and the
+/// VoxelBox that its fibres lie in, 16.
 ///
 /// - Direction: an octahedral map of the upper hemisphere alone, because m and -m are the same line: twice as fine as a
 ///   map of the sphere; off by at most 0.6 mrad. The axes x, y, z are exact.
@@ -43,9 +45,18 @@ class Component {
   /// The same with a length density so many codes higher or lower, as far as there are any; a length density of 0
   /// stays.
   Component withDensitySteps(int steps) const;
+  /// Where in the voxel the fibres lie; the length density is that of the voxel all the same.
+  VoxelBox box() const { return VoxelBox::of(box_); }
+  Component within(VoxelBox box) const {
+    Component c = *this;
+    c.box_ = box.code();
+    return c;
+  }
 
   /// All of it: equal components have equal bits.
-  uint64_t bits() const { return directionAndSpread() | static_cast<uint64_t>(density_) << 32; }
+  uint64_t bits() const {
+    return directionAndSpread_ | static_cast<uint64_t>(density_) << 32 | static_cast<uint64_t>(box_) << 48;
+  }
   friend bool operator==(Component, Component) = default;
 
   // How it is stored, for those who decode many side by side (render/walk):
@@ -55,15 +66,15 @@ class Component {
   static constexpr uint32_t kDensityBias = (127u - 12u) << 23;
 
  private:
-  uint32_t directionAndSpread() const { return low_ | static_cast<uint32_t>(high_) << 16; }
   static glm::vec3 decodeDirection(uint32_t bits);
   static Int32x8 encodeDirections(const std::array<DistributionLanes, 2>& distributions);
   static Int32x4 encodeDensity(Float64x4 lengthDensity);
 
-  uint16_t low_ = 0, high_ = 0;  ///< of direction and spread; apart, so that components lie 6 bytes apart
+  uint32_t directionAndSpread_ = 0;
   uint16_t density_ = 0;
+  uint16_t box_ = VoxelBox().code();
 };
-static_assert(sizeof(Component) == 6);
+static_assert(sizeof(Component) == 8);
 
 inline glm::vec3 Component::decodeDirection(uint32_t bits) {
   constexpr float kStep = 1.0f / kAxisCentre;
@@ -86,7 +97,7 @@ inline Component Component::withDensitySteps(int steps) const {
 }
 
 inline FibreDistribution Component::decode() const {
-  const uint32_t bits = directionAndSpread();
+  const uint32_t bits = directionAndSpread_;
   const float root = static_cast<float>(bits >> 24) * (1.0f / 255.0f);
   FibreDistribution d;
   d.direction = decodeDirection(bits);

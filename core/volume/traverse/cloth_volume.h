@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -90,9 +91,14 @@ class ClothVolume {
   /// The bricks that reach into a cell.
   struct CellBricks;
   CellBricks bricksIn(glm::ivec3 cell) const;
-  /// Of a point that is counted from the corner of `cell`: goes to the cell that it lies in, and tells which of its
-  /// voxels; false outside the piece.
-  bool locate(glm::vec3 inCell_mm, glm::ivec3& cell, glm::ivec3& voxel) const;
+  /// A point of the piece.
+  struct PlaceInVoxel {
+    glm::ivec3 cell;
+    glm::ivec3 voxel;   ///< counted from the corner of the cell
+    glm::vec3 inVoxel;  ///< in widths of the voxel, from the corner of that
+  };
+  /// The point that is so far from the corner of a cell; nullopt outside the piece.
+  std::optional<PlaceInVoxel> locate(glm::ivec3 cell, glm::vec3 inCell_mm) const;
   const BrickBlock* blocks() const { return blocks_; }
   const Component* components() const { return components_; }
 

@@ -37,15 +37,16 @@ inline ClothVolume::CellBricks ClothVolume::bricksIn(glm::ivec3 cell) const {
   return of;
 }
 
-inline bool ClothVolume::locate(glm::vec3 inCell_mm, glm::ivec3& cell, glm::ivec3& voxel) const {
+inline std::optional<ClothVolume::PlaceInVoxel> ClothVolume::locate(glm::ivec3 cell, glm::vec3 inCell_mm) const {
   const glm::vec3 cellsOn = glm::floor(inCell_mm * glm::vec3(perCell_));
   cell += glm::ivec3(cellsOn);
   if (static_cast<unsigned>(cell.x) >= static_cast<unsigned>(cells_.x) ||
       static_cast<unsigned>(cell.y) >= static_cast<unsigned>(cells_.y) || cell.z != 0)
-    return false;
+    return std::nullopt;
   const glm::vec3 inVoxels = (inCell_mm - cellsOn * glm::vec3(cell_mm_)) * glm::vec3(perVoxel_);
-  voxel = glm::clamp(glm::ivec3(inVoxels), glm::ivec3(0), grid_.cell - 1);
-  return true;
+  const glm::ivec3 voxel = glm::clamp(glm::ivec3(inVoxels), glm::ivec3(0), grid_.cell - 1);
+  // What rounding puts beyond counts as inside.
+  return PlaceInVoxel{cell, voxel, glm::clamp(inVoxels - glm::vec3(voxel), 0.0f, std::nextafter(1.0f, 0.0f))};
 }
 
 inline void ClothVolume::CellBricks::content(const ClothVolume& volume, glm::ivec3 voxel, VoxelContent& content) const {

@@ -48,6 +48,31 @@ TEST(PackedSection, LeavesRoomForTheSlantOfTwistedFibres) {
   EXPECT_GT(deepest(0), 0.3);
 }
 
+// Of n fibres at random in a disc of radius R, each lies in n - 1 others by pi r^2 / pi R^2 on average, less what those
+// at the rim lack: some r / R of it.
+TEST(MeanOverlap, OfFibresAtRandomIsHowMuchOfTheSectionIsFibre) {
+  constexpr int kCount = 2000;
+  for (const double filled : {0.1, 0.5, 0.8}) {
+    const double radius = std::sqrt(kCount / filled);
+    double sum = 0;
+    constexpr int kSections = 20;
+    for (int i = 0; i < kSections; ++i)
+      sum += meanOverlap(plySection(FibreLayout::random, kCount, radius, {1}, 50 + i), {1});
+    EXPECT_NEAR(sum / kSections, filled, filled * (0.02 + 1 / radius));
+  }
+}
+
+TEST(MeanOverlap, CountsWhatFibresShare) {
+  // Two circles of radius 1 whose centres are 1 apart share 2 pi / 3 - sqrt(3) / 2.
+  const double shared = (2 * kPi / 3 - std::sqrt(3.0) / 2) / kPi;
+  EXPECT_NEAR(meanOverlap({{5, 0}, {6, 0}}, {1}), shared, 1e-12);
+  EXPECT_NEAR(meanOverlap({{5, 0}, {6, 0}, {9, 0}}, {1}), shared * 2 / 3, 1e-12);
+  EXPECT_NEAR(meanOverlap({{50, 0}, {60, 0}}, {10}), shared, 1e-12);
+  EXPECT_EQ(meanOverlap({{5, 0}, {7.1, 0}}, {1}), 0);
+  EXPECT_EQ(meanOverlap({}, {1}), 0);
+  EXPECT_LT(meanOverlap(plySection(FibreLayout::packed, 600, std::sqrt(600 / 0.6), {1}, 3), {1}), 0.01);
+}
+
 TEST(PackedSection, FillsItsDiscEvenly) {
   // Within a disc of half the area lie half the fibres, within 4 sigma of a uniform scatter (packing makes it less).
   const int count = 600;

@@ -88,6 +88,7 @@ struct Case {
   DrapeKind drape;
   FibreLayout layout;
   int plies;
+  int fibresPerPly = 0;  ///< 0: as many as the count takes
 };
 
 class LaneWalks : public testing::TestWithParam<Case> {
@@ -96,6 +97,7 @@ class LaneWalks : public testing::TestWithParam<Case> {
     Fabric fabric = test::whiteCotton();
     fabric.yarns[0].layout = GetParam().layout;
     fabric.yarns[0].plies = GetParam().plies;
+    if (GetParam().fibresPerPly > 0) fabric.yarns[0].fibresPerPly = GetParam().fibresPerPly;
     fabric.drape.kind = GetParam().drape;
     fabric.drape.radius_mm = 4;
     return test::sceneOf(fabric);
@@ -164,8 +166,31 @@ TEST_P(LaneWalks, AreTheSameInAnyCompanyAndOfAnyWidth) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-// What a ray has found, whoever looks into that voxel finds, on every instruction set; and it is what the voxel holds,
-// within what the lanes' table of I(alpha, s) is off.
+/// What of a voxel's components lies at a place in it, in widths of the voxel; `component` as FoundLanes has it.
+struct FoundAtPlace {
+  float whole = 0;
+  int component = FoundLanes::kNone;
+};
+FoundAtPlace foundAt(const TraceData& cloth, const VoxelContent& content, const FoundFibres& found, glm::vec3 place,
+                     glm::vec3 direction) {
+  FoundAtPlace there;
+  for (int span = 0; span < content.count; ++span)
+    for (const Component& component : content.spans[span].components) {
+      const glm::vec3 lower = component.box().lowerCorner(), upper = component.box().upperCorner();
+      if (glm::any(glm::lessThan(place, lower)) || glm::any(glm::greaterThanEqual(place, upper))) continue;
+      VoxelContent alone = content;
+      alone.count = 1;
+      alone.spans[0] = content.spans[span];
+      alone.spans[0].components = {&component, 1};
+      there.whole += component.box().crowding() * sumExtinction(cloth.yarns, alone, found.drape, direction).whole;
+      there.component = there.component == FoundLanes::kNone ? static_cast<int>(&component - cloth.volume->components())
+                                                             : FoundLanes::kSeveral;
+    }
+  return there;
+}
+
+// A ray finds what the voxel holds, within what the lanes' table of I(alpha, s) is off: of one component what is in its
+// box, of several no more than all of them together.
 TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
   const auto scene = this->scene();
   const TraceData& cloth = *scene->cloth;
@@ -175,51 +200,77 @@ TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
   Ends ends(cloth, all.rays.size());
   walker.walk(all.rays, ends);
   ASSERT_GT(ends.found().size(), 100u);
-  size_t several = 0;
+  size_t several = 0, boxes = 0;
   for (const FoundFibres& found : ends.found()) {
     const glm::vec3 direction = all.rays[found.ray].direction;
     VoxelContent content;
     walker.cells().bricksIn(found.cell).content(*cloth.volume, found.voxel, content);
-    const float whole = sumExtinction(cloth.yarns, content, found.drape, direction).whole;
-    EXPECT_NEAR(found.whole, whole, 1e-4f * whole);
-    several += hasSeveralComponents(content) ? 1 : 0;
-    if (hasSeveralComponents(content)) {
+    if (found.component < 0) {
       EXPECT_EQ(found.component, FoundLanes::kSeveral);
-    } else {
-      const VoxelContent::YarnSpan& only = content.spans[0];
-      const auto& brick = walker.cells().bricksIn(found.cell).bricks[static_cast<size_t>(found.slot)];
-      EXPECT_EQ(cloth.volume->components() + found.component, &only.components[0]);
-      EXPECT_EQ(YarnId(brick.system, brick.index), YarnId(only.system, only.index));
+      EXPECT_TRUE(hasSeveralComponents(content));
+      ++several;
+      continue;
     }
+    const VoxelBox box = cloth.volume->components()[found.component].box();
+    const glm::vec3 middle = 0.5f * (box.lowerCorner() + box.upperCorner());
+    boxes += box != VoxelBox();
+    if (hasSeveralComponents(content)) continue;
+    const FoundAtPlace there = foundAt(cloth, content, found, middle, direction);
+    EXPECT_NEAR(found.whole, there.whole, 1e-4f * there.whole);
+    EXPECT_EQ(found.component, there.component);
+    const VoxelContent::YarnSpan& only = content.spans[0];
+    const auto& brick = walker.cells().bricksIn(found.cell).bricks[static_cast<size_t>(found.slot)];
+    EXPECT_EQ(YarnId(brick.system, brick.index), YarnId(only.system, only.index));
   }
   EXPECT_GT(several, 0u);
+  EXPECT_EQ(boxes > 0, GetParam().fibresPerPly > 0);
+}
+
+// Who looks at a place in a voxel finds the components that reach there, on every instruction set.
+TEST_P(LaneWalks, LooksFindWhatReachesToAPlace) {
+  const auto scene = this->scene();
+  const TraceData& cloth = *scene->cloth;
+  const LoomlightMedium medium(scene->cloth);
+  const Rays all = raysOf(*scene, medium, 300);
+  LaneWalker walker(cloth, medium.walkRules());
+  Ends ends(cloth, all.rays.size());
+  walker.walk(all.rays, ends);
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    Random random(21);
+    size_t found = 0, nothing = 0;
     for (size_t first = 0; first + kWalkLanes <= ends.found().size(); first += kWalkLanes) {
       LookLanes looks{};
+      std::array<glm::vec3, kWalkLanes> places;
       const auto foundIn = [&](size_t lane) -> const FoundFibres& { return ends.found()[first + lane]; };
       for (size_t lane = 0; lane < kWalkLanes; ++lane) {
-        const FoundFibres& found = foundIn(lane);
+        const FoundFibres& ray = foundIn(lane);
+        places[lane] = {random.uniform(), random.uniform(), random.uniform()};
         looks.wanted[lane] = 1;
         for (int axis = 0; axis < 3; ++axis) {
-          looks.direction[axis][lane] = all.rays[found.ray].direction[axis];
-          looks.voxel[axis][lane] = found.voxel[axis];
-          for (int column = 0; column < 3; ++column) looks.frame[column][axis][lane] = found.drape.frame[column][axis];
+          looks.direction[axis][lane] = all.rays[ray.ray].direction[axis];
+          looks.voxel[axis][lane] = ray.voxel[axis];
+          looks.inVoxel[axis][lane] = places[lane][axis];
+          for (int column = 0; column < 3; ++column) looks.frame[column][axis][lane] = ray.drape.frame[column][axis];
         }
-        looks.densityScale[lane] = found.drape.densityScale;
-        walker.cells().fill(found.cell, looks.cell, lane);
+        looks.densityScale[lane] = ray.drape.densityScale;
+        walker.cells().fill(ray.cell, looks.cell, lane);
       }
       look(walker.field(), looks);
       for (size_t lane = 0; lane < kWalkLanes; ++lane) {
-        EXPECT_EQ(looks.found.whole[lane], foundIn(lane).whole);
-        EXPECT_EQ(looks.found.component[lane], foundIn(lane).component);
-        if (foundIn(lane).component >= 0) {
-          EXPECT_EQ(looks.found.slot[lane], foundIn(lane).slot);
-        }
+        VoxelContent content;
+        walker.cells().bricksIn(foundIn(lane).cell).content(*cloth.volume, foundIn(lane).voxel, content);
+        const glm::vec3 direction = all.rays[foundIn(lane).ray].direction;
+        const FoundAtPlace there = foundAt(cloth, content, foundIn(lane), places[lane], direction);
+        EXPECT_NEAR(looks.found.whole[lane], there.whole, 1e-4f * there.whole);
+        EXPECT_EQ(looks.found.component[lane], there.component);
+        ++(there.whole > 0 ? found : nothing);
       }
     }
+    EXPECT_GT(found, 100u);
+    EXPECT_EQ(nothing > 0, GetParam().fibresPerPly > 0);
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -230,7 +281,9 @@ INSTANTIATE_TEST_SUITE_P(Cloths, LaneWalks,
                                          Case{"plied", DrapeKind::flat, FibreLayout::packed, 2},
                                          Case{"atRandom", DrapeKind::flat, FibreLayout::random, 1},
                                          Case{"bent", DrapeKind::cylinder, FibreLayout::packed, 2},
-                                         Case{"folded", DrapeKind::folds, FibreLayout::packed, 1}),
+                                         Case{"folded", DrapeKind::folds, FibreLayout::packed, 1},
+                                         Case{"inBoxes", DrapeKind::flat, FibreLayout::packed, 1, 500},
+                                         Case{"inBoxesOnFolds", DrapeKind::folds, FibreLayout::packed, 2, 300}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -75,6 +75,54 @@ CellStrands wanderingFibres(int fibres, float halfWidth, int plies, uint64_t see
   return strands;
 }
 
+/// Straight fibres along a warp cell of oddGrid(), which fill it from rim to rim across, and all of its height.
+CellStrands sheetOfFibres(float from_mm, float to_mm, int fibres) {
+  Random random(12);
+  CellStrands strands;
+  for (int f = 0; f < fibres; ++f) {
+    const float u = from_mm + (to_mm - from_mm) * random.uniform(), z = 0.3f * random.uniform() - 0.15f;
+    addStrand(strands, {{u, -0.25f, z}, {u, 0.0f, z}, {u, 0.25f, z}});
+  }
+  return strands;
+}
+
+// At a rim the fibres of a voxel lie in a box that ends where they do; elsewhere they lie in all of it.
+TEST(Voxelise, FibresLieInBoxesThatEndAtTheRimOfTheYarn) {
+  const VoxelGrid grid = oddGrid();
+  const float from = -0.07f, to = 0.05f;
+  constexpr int kFibres = 6000;
+  CellStrands sheet = sheetOfFibres(from, to, kFibres);
+  const Brick brick = voxelise(sheet, System::warp, grid);
+  const float width = grid.size_mm.x, lowerFace = -0.2f;
+  // The fibre that lies outermost in a voxel's height is not far from the rim: with that probability all of those boxes
+  // are as they should be. And an edge is off by half a seventh.
+  const double inVoxel = kFibres / 6.0, gap = (to - from) * std::log(1e6) / inVoxel;
+  int rims = 0;
+  forEachVoxel(brick, [&](glm::ivec3 v, std::span<const Component> components) {
+    ASSERT_EQ(components.size(), 1u);
+    const VoxelBox box = components[0].box();
+    const float left = lowerFace + static_cast<float>(v.x) * width, right = left + width;
+    EXPECT_NEAR(left + width * box.lowerCorner().x, std::max(from, left), gap + width / 14 + 1e-5);
+    EXPECT_NEAR(left + width * box.upperCorner().x, std::min(to, right), gap + width / 14 + 1e-5);
+    rims += left < from || right > to;
+    for (const int axis : {1, 2}) {
+      EXPECT_EQ(box.lower()[axis], 0) << axis;
+      EXPECT_EQ(box.upper()[axis], VoxelBox::kParts) << axis;
+    }
+  });
+  EXPECT_EQ(rims, 2 * grid.cell.y * grid.cell.z);
+
+  // Voxels that are not much wider than a fibre, and those of coarser levels, have none.
+  const auto expectWhole = [](const Brick& whole) {
+    forEachVoxel(whole, [](glm::ivec3, std::span<const Component> components) {
+      for (const Component c : components) EXPECT_EQ(c.box(), VoxelBox());
+    });
+  };
+  expectWhole(voxelise(sheet, System::warp, grid.atLevel(1)));
+  sheet.fibreRadius_mm = 0.21f * width;
+  expectWhole(voxelise(sheet, System::warp, grid));
+}
+
 // Equation 6 of the report as it must be: 2 r l sin(alpha) / V, whatever the direction of the fibre in the voxel.
 TEST(Voxelise, AFibreInAnyDirectionHasItsProjectedAreaOverTheVolume) {
   const float side = 0.2f, radius = 0.006f;
