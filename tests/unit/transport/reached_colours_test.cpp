@@ -31,11 +31,13 @@ std::vector<Rgb> reachedBy(const Fabric& fabric) {
   return *reachedColours(fabric, Task{}, kFewWalks);
 }
 
+// By a tenth and more, known to 0.7 % of white; in coarse voxels it would be too bright.
 TEST(ReachedColours, ADarkRedIsDarkerThanItsDyeInAThickMass) {
-  const Fabric fabric = whiteAndRed();
-  const std::vector<Rgb> reached = reachedBy(fabric);
+  Fabric fabric = whiteAndRed();
+  fabric.render.resolution = 8;
+  const std::vector<Rgb> reached = *reachedColours(fabric, Task{}, kChipPaths);
   ASSERT_EQ(reached.size(), 2u);
-  EXPECT_LT(reached[1].r, 0.9f * yarnReflectance(fabric, fabric.yarns[1]).r);
+  EXPECT_LT(reached[1].r, yarnReflectance(fabric, fabric.yarns[1]).r - 4 * 0.007f);
   EXPECT_GT(reached[0].g, 2 * reached[1].g);
 }
 
