@@ -150,10 +150,12 @@ void spin(YarnModel& m) {
   m.spool = g.evenness.isEven() ? nullptr : std::make_shared<Spool>(g.evenness, g.period, g.cellLength_mm, g.seed);
 }
 
-/// YarnModel::separation: what is packed keeps apart, but fibres that stray or that had no time to part overlap.
+/// YarnModel::separation. Packed fibres that keep their places lie in order, and touch: that their gaps are alike makes
+/// up for what they overlap where they touch (a dense satin lets through up to 25 % too much if it is counted).
 double separationOf(const YarnModel& m) {
   constexpr int kMoments = 8;  // of a pattern
   const YarnGeometry& g = m.geometry;
+  if (g.layout == FibreLayout::packed && g.migration <= 0 && g.disorder <= 0 && !m.source.sketched) return 1;
   const HelicalFibres fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm), g.usual()};
   double overlap = 0;
   DiscCentres centres(static_cast<size_t>(g.fibresPerPly));

@@ -30,7 +30,8 @@ struct YarnModel {
   YarnGeometry geometry;
   std::vector<Migration> plies;  ///< the fibres of the first cord's; other cords are that one, turned
   int patterns = 0;              ///< of the fibres' ways, in a period; 0 for none
-  /// How far the fibres keep apart: 1 where none overlap, 0 where they do as often as if they lay at random.
+  /// How far the fibres keep apart: 1 where none runs through another, 0 where they do as often as if they lay at
+  /// random.
   double separation = 1;
   double bodyReach_mm = 0;  ///< furthest of these fibres from the yarn's axis, not pressed
   std::vector<Flyaway> flyaways;

@@ -20,52 +20,13 @@
 namespace loomlight {
 namespace {
 
-/// What of a ray's way through the voxel that it has found lies in a component's box, mm, times how crowded that is.
-class CrowdedLength {
- public:
-  CrowdedLength(const FoundFibres& found, glm::vec3 direction, const VoxelGrid& grid)
-      : light_(found.inCell_mm / grid.size_mm - glm::vec3(found.voxel)) {
-    for (int axis = 0; axis < 3; ++axis) {
-      constexpr float kNever = 1e30f;
-      perWidth_[axis] = grid.size_mm[axis] / direction[axis];
-      if (!(std::abs(perWidth_[axis]) < kNever)) perWidth_[axis] = kNever;
-    }
-  }
-  float operator()(const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan&, VoxelBox box) const {
-    const glm::vec3 a = (box.lowerCorner() - light_) * perWidth_, b = (box.upperCorner() - light_) * perWidth_;
-    const glm::vec3 enter = glm::min(a, b), leave = glm::max(a, b);
-    const float length = std::min({leave.x, leave.y, leave.z}) - std::max({enter.x, enter.y, enter.z});
-    return std::max(length, 0.0f) * box.crowding();
-  }
-
- private:
-  glm::vec3 light_;     ///< in widths of the voxel, from its corner
-  glm::vec3 perWidth_;  ///< distance along the ray by which it moves so far, mm
-};
-
-/// Which components reach to a place in their voxel, in widths of that, and how crowded they are.
-class AtPlace {
- public:
-  explicit AtPlace(glm::vec3 place) : place_(place) {}
-  float operator()(const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan&, VoxelBox box) const {
-    const glm::vec3 lower = box.lowerCorner(), upper = box.upperCorner();
-    for (int axis = 0; axis < 3; ++axis)
-      if (!(lower[axis] <= place_[axis] && place_[axis] < upper[axis])) return 0;
-    return box.crowding();
-  }
-
- private:
-  glm::vec3 place_;
-};
-
 /// The share of extinction that a voxel's fibres have left near the flights before, and beside the fibre that the last
 /// of these flights came from: that one is met for itself, so a voxel must not count it again.
 class CorrelatedShare {
  public:
   CorrelatedShare(const LoomlightMeetings::Meeting& meeting, glm::vec3 light, const VoxelGrid& grid,
                   const glm::mat3& toCloth)
-      : along_(*meeting.found, toCloth * meeting.direction, grid),
-        known_(meeting.memory->known),
+      : known_(meeting.memory->known),
         middle_(light + meeting.found->toMiddle_mm * meeting.direction),
         lower_(glm::vec3(meeting.found->voxel) * grid.size_mm) {
     const KnownFibre& before = known_.before;
@@ -74,8 +35,8 @@ class CorrelatedShare {
                     glm::normalize(toCloth * before.tangent), before.radius_mm, grid);
   }
 
-  float operator()(const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span,
-                   VoxelBox box) const {
+  float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
+                   const VoxelContent::YarnSpan& span) const {
     float absent = 0;
     for (const RaySegment& past : known_.pastSegments)
       if (past.length_mm > 0)
@@ -83,11 +44,10 @@ class CorrelatedShare {
     float before = 0;
     if (before_ && YarnId{span.system, span.index} == known_.before.yarnId && optics.packed)
       before = std::min(1.0f, before_->lengthDensity(lower_) / fibres.lengthDensity);
-    return (1 - absent) * (1 - before) * along_(fibres, optics, span, box);
+    return (1 - absent) * (1 - before);
   }
 
  private:
-  CrowdedLength along_;
   const KnownFibres& known_;
   glm::vec3 middle_;  ///< of the ray in the voxel, world
   glm::vec3 lower_;   ///< corner of the voxel, from that of its cell
@@ -125,6 +85,7 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
   for (size_t lane = 0; lane < count; ++lane) randoms[lane] = meetings[lane].random;
   RandomLanes<Lanes> random(randoms);
   const auto direction = columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].direction; });
+  for (size_t lane = 0; lane < count; ++lane) boxes_[lane] = boxFound(meetings[lane]);
   Lanes offset{};
   if (medium_.ingredients().finiteRadius) {
     lookForAxes(meetings, direction, random);
@@ -163,8 +124,8 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
     how.points[0] = vectorOf(points_[0]);
     how.points[1] = vectorOf(points_[1]);
     const glm::vec3 size = cloth_.volume->grid().size_mm, voxel(meeting.found->voxel);
-    how.lower_mm = (voxel + boxFound(meeting).lowerCorner()) * size - meeting.found->inCell_mm;
-    how.upper_mm = (voxel + boxFound(meeting).upperCorner()) * size - meeting.found->inCell_mm;
+    how.lower_mm = (voxel + boxes_[lane].lowerCorner()) * size - meeting.found->inCell_mm;
+    how.upper_mm = (voxel + boxes_[lane].upperCorner()) * size - meeting.found->inCell_mm;
     how.ahead_mm = meeting.found->ahead_mm;
   }
 }
@@ -203,11 +164,13 @@ void LoomlightMeetings::lookForAxes(std::span<const Meeting> meetings, const Vec
   takenLook_ = takesFirst ? (elsewhere[0] > 0 ? lanes : own) : (elsewhere[1] > 0 ? lanes + kMost : own);
 }
 
-/// Where in the voxel that was found its fibres are. Several components may be anywhere: each has a box of its own, and
-/// which of them is met is not known yet.
-VoxelBox LoomlightMeetings::boxFound(const Meeting& meeting) const {
-  const int component = meeting.found->component;
-  return component >= 0 ? cloth_.volume->components()[component].box() : VoxelBox();
+/// Where in the voxel that was found its fibres are.
+VoxelBox LoomlightMeetings::boxFound(const Meeting& meeting) {
+  const FoundFibres& found = *meeting.found;
+  if (found.component >= 0) return cloth_.volume->components()[found.component].box();
+  VoxelContent content;
+  walker_.cells().bricksIn(found.cell).content(*cloth_.volume, found.voxel, content);
+  return boxOf(content);
 }
 
 /// Of one of the points of each meeting, which leads so far from the light, in the world: for which the axis is among
@@ -235,8 +198,8 @@ LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> me
   const Mask inSame = isWithin(Vectors{}, whole);
   for (size_t lane = 0; lane < count; ++lane)
     if (inSame[lane] == 0) wantLook(meetings[lane], point * kMost + lane, {axis.x[lane], axis.y[lane], axis.z[lane]});
-  const auto lower = columnsOf<Lanes>(count, [&](size_t i) { return size * boxFound(meetings[i]).lowerCorner(); });
-  const auto upper = columnsOf<Lanes>(count, [&](size_t i) { return size * boxFound(meetings[i]).upperCorner(); });
+  const auto lower = columnsOf<Lanes>(count, [&](size_t i) { return size * boxes_[i].lowerCorner(); });
+  const auto upper = columnsOf<Lanes>(count, [&](size_t i) { return size * boxes_[i].upperCorner(); });
   return isWithin(lower, upper);
 }
 
@@ -271,8 +234,7 @@ void LoomlightMeetings::choose(const Meeting& meeting, size_t lane, Fibres& fibr
   VoxelContent content;
   const glm::ivec3 voxel(looks_->voxel[0][i], looks_->voxel[1][i], looks_->voxel[2][i]);
   walker_.cells().bricksIn(cells_[i]).content(*cloth_.volume, voxel, content);
-  const AtPlace atPlace({looks_->inVoxel[0][i], looks_->inVoxel[1][i], looks_->inVoxel[2][i]});
-  chooseAmong(meeting, lane, content, fibres, atPlace);
+  chooseAmong(meeting, lane, content, fibres, WholeExtinction{});
 }
 
 /// In the voxel that the walk has found.
@@ -281,12 +243,8 @@ void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, Fibres&
   if (found.component >= 0) return take(meeting, lane, found.cell, found.component, found.slot, fibres);
   VoxelContent content;
   walker_.cells().bricksIn(found.cell).content(*cloth_.volume, found.voxel, content);
-  const glm::mat3 toCloth = medium_.toClothOf(found.tet);
-  if (!medium_.ingredients().hotSpot) {
-    const CrowdedLength along(found, toCloth * meeting.direction, cloth_.volume->grid());
-    return chooseAmong(meeting, lane, content, fibres, along);
-  }
-  const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), toCloth);
+  if (!medium_.ingredients().hotSpot) return chooseAmong(meeting, lane, content, fibres, WholeExtinction{});
+  const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), medium_.toClothOf(found.tet));
   chooseAmong(meeting, lane, content, fibres, share);
 }
 

@@ -37,7 +37,7 @@ class LoomlightMeetings {
   /// Which fibres each meeting is with.
   struct Fibres;
   void lookForAxes(std::span<const Meeting> meetings, const Vectors& direction, RandomLanes<Lanes>& random);
-  VoxelBox boxFound(const Meeting& meeting) const;
+  VoxelBox boxFound(const Meeting& meeting);
   Mask lookThere(std::span<const Meeting> meetings, size_t point, const Vectors& shift);
   void wantLook(const Meeting& meeting, size_t lane, glm::vec3 axis_mm);
   void choose(const Meeting& meeting, size_t lane, Fibres& fibres);
@@ -53,9 +53,10 @@ class LoomlightMeetings {
   std::unique_ptr<LookLanes> looks_;            ///< of each meeting one from its first point, then one from its second
   std::array<glm::ivec3, kWalkLanes> cells_{};  ///< in which they look
   // Of one call:
-  std::array<Vectors, 2> points_{};  ///< the two that axes were looked for by, the one that was taken first
-  Lanes takenLook_{};                ///< the look whose voxel the axis is in; -1: the voxel that was found
-  Mask inOneVoxel_{};                ///< both points led into the voxel that was found
+  std::array<VoxelBox, kMost> boxes_{};  ///< where in the voxels that were found fibres are
+  std::array<Vectors, 2> points_{};      ///< the two that axes were looked for by, the one that was taken first
+  Lanes takenLook_{};                    ///< the look whose voxel the axis is in; -1: the voxel that was found
+  Mask inOneVoxel_{};                    ///< both points led into the voxel that was found
 };
 
 }  // namespace loomlight

@@ -37,23 +37,19 @@ inline float extinction(const FibreDistribution& fibres, const YarnOptics& optic
          TangentSpread::table().projectedLengthOfSquare(sineSquared, fibres.spread);
 }
 
-/// Calls visit(fibres in the world, const YarnOptics&, const VoxelContent::YarnSpan&, VoxelBox) for each component of a
-/// voxel.
+/// Calls visit(fibres in the world, const YarnOptics&, const VoxelContent::YarnSpan&) for each component of a voxel.
 template <class Visit>
 void forEachComponent(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape, Visit&& visit) {
   for (int p = 0; p < content.count; ++p) {
     const VoxelContent::YarnSpan& span = content.spans[p];
     const YarnOptics& optics = yarns[static_cast<int>(span.system)][span.yarn];
-    for (const Component& component : span.components)
-      visit(inWorld(component.decode(), drape), optics, span, component.box());
+    for (const Component& component : span.components) visit(inWorld(component.decode(), drape), optics, span);
   }
 }
 
 /// The share of a component's extinction that counts: all of it. Others are functions of the same arguments.
 struct WholeExtinction {
-  float operator()(const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan&, VoxelBox) const {
-    return 1;
-  }
+  float operator()(const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan&) const { return 1; }
 };
 
 /// Sums over the components of a voxel.
@@ -69,18 +65,26 @@ template <class Share = WholeExtinction>
 VoxelExtinction sumExtinction(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape,
                               glm::vec3 direction, const Share& share = {}) {
   VoxelExtinction sum;
-  forEachComponent(
-      yarns, content, drape,
-      [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span, VoxelBox box) {
-        const float whole = extinction(fibres, optics, direction);
-        sum.total += whole * share(fibres, optics, span, box);
-        sum.whole += whole;
-        const float solid =
-            static_cast<float>(kPi) * optics.fibreRadius_mm * optics.fibreRadius_mm * fibres.lengthDensity;
-        sum.solid += solid;
-        sum.kept += solid * optics.separation;
-      });
+  forEachComponent(yarns, content, drape,
+                   [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span) {
+                     const float whole = extinction(fibres, optics, direction);
+                     sum.total += whole * share(fibres, optics, span);
+                     sum.whole += whole;
+                     const float solid =
+                         static_cast<float>(kPi) * optics.fibreRadius_mm * optics.fibreRadius_mm * fibres.lengthDensity;
+                     sum.solid += solid;
+                     sum.kept += solid * optics.separation;
+                   });
   return sum;
+}
+
+/// Where in a voxel with content its fibres lie: around the boxes of all its components, for which all of them count as
+/// spread over it.
+inline VoxelBox boxOf(const VoxelContent& content) {
+  VoxelBox box = content.spans[0].components[0].box();
+  for (int span = 0; span < content.count; ++span)
+    for (const Component& component : content.spans[span].components) box = around(box, component.box());
+  return box;
 }
 
 /// The fibres that a collision is with.
@@ -106,15 +110,15 @@ MetComponent chooseComponent(const YarnTables& yarns, const VoxelContent& conten
     std::array<float, 2 * VoxelContent::kMaxSpans> weights;
     int count = 0;
     float sum = 0;
-    forEachComponent(yarns, content, drape,
-                     [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span,
-                         VoxelBox box) {
-                       const float weight = law == EventLaw::report ? fibres.lengthDensity
-                                                                    : extinction(fibres, optics, direction) *
-                                                                          share(fibres, optics, span, box);
-                       weights[count++] = weight;
-                       sum += weight;
-                     });
+    forEachComponent(
+        yarns, content, drape,
+        [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span) {
+          const float weight = law == EventLaw::report
+                                   ? fibres.lengthDensity
+                                   : extinction(fibres, optics, direction) * share(fibres, optics, span);
+          weights[count++] = weight;
+          sum += weight;
+        });
     for (float rest = u * sum; chosen + 1 < count; ++chosen) {
       rest -= weights[chosen];
       if (rest < 0) break;
@@ -122,11 +126,10 @@ MetComponent chooseComponent(const YarnTables& yarns, const VoxelContent& conten
   }
   MetComponent met{};
   int number = 0;
-  forEachComponent(
-      yarns, content, drape,
-      [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span, VoxelBox) {
-        if (number++ == chosen) met = {fibres, &optics, {span.system, span.index}, span.yarn};
-      });
+  forEachComponent(yarns, content, drape,
+                   [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span) {
+                     if (number++ == chosen) met = {fibres, &optics, {span.system, span.index}, span.yarn};
+                   });
   return met;
 }
 

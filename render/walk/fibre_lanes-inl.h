@@ -37,23 +37,47 @@ HWY_INLINE FibreLanes decode(const Component* components, Whole number) {
           shiftedRight<16>(densityAndBox)};
 }
 
-/// VoxelBox of each ray.
-struct BoxLanes {
-  Real lower[3], upper[3];  ///< in widths of the voxel
-  Real crowding;
-
-  HWY_INLINE explicit BoxLanes(Whole code) {
-    const Real part(1.0f / VoxelBox::kParts);
-    const Whole codes[3] = {code & Whole(31), shiftedRight<VoxelBox::kAxisBits>(code) & Whole(31),
-                            shiftedRight<2 * VoxelBox::kAxisBits>(code) & Whole(31)};
+/// The box around those of a voxel's components, of each ray: boxOf().
+class BoxLanes {
+ public:
+  HWY_INLINE BoxLanes() {
     for (int axis = 0; axis < 3; ++axis) {
-      const Whole a = shiftedRight<3>(codes[axis]), b = codes[axis] & Whole(7), all(VoxelBox::kParts);
-      const Mask plain = a < b;
-      lower[axis] = toReal(choose(plain, a, all - a)) * part;
-      upper[axis] = toReal(choose(plain, b, all - b)) * part;
+      lower_[axis] = Whole(VoxelBox::kParts);
+      upper_[axis] = Whole(0);
     }
-    crowding = Real(1.0f) / ((upper[0] - lower[0]) * (upper[1] - lower[1]) * (upper[2] - lower[2]));
   }
+  HWY_INLINE void add(Mask holds, Whole code) {
+    const Whole all(VoxelBox::kParts);
+    const bool wholeOnly = !any(holds & ~(code == Whole(VoxelBox().code())));
+    for (int axis = 0; axis < 3; ++axis) {
+      Whole from(0), to = all;
+      if (!wholeOnly) {
+        const Whole a = shiftedRight<3>(code) & Whole(3), b = code & Whole(7);
+        const Mask plain = a < b;
+        from = choose(plain, a, all - a);
+        to = choose(plain, b, all - b);
+        code = shiftedRight<VoxelBox::kAxisBits>(code);
+      }
+      lower_[axis] = choose(holds, least(lower_[axis], from), lower_[axis]);
+      upper_[axis] = choose(holds, most(upper_[axis], to), upper_[axis]);
+    }
+  }
+  /// Where it is not the whole voxel; of what has no components, nothing is told.
+  HWY_INLINE Mask partial() const {
+    const Whole low = lower_[0] | lower_[1] | lower_[2], high = upper_[0] & upper_[1] & upper_[2];
+    return ~((low == Whole(0)) & (high == Whole(VoxelBox::kParts)));
+  }
+  // In widths of the voxel:
+  HWY_INLINE Real lowerCorner(int axis) const { return toReal(lower_[axis]) * Real(1.0f / VoxelBox::kParts); }
+  HWY_INLINE Real upperCorner(int axis) const { return toReal(upper_[axis]) * Real(1.0f / VoxelBox::kParts); }
+  HWY_INLINE Real crowding() const {
+    const Real volume =
+        (upperCorner(0) - lowerCorner(0)) * (upperCorner(1) - lowerCorner(1)) * (upperCorner(2) - lowerCorner(2));
+    return Real(1.0f) / volume;
+  }
+
+ private:
+  Whole lower_[3], upper_[3];  ///< in sevenths of the voxel
 };
 
 /// As the cloth lies in the world; `frame` has its columns.

@@ -79,56 +79,51 @@ class Step {
     leave_ = least(faceAt_, Real::of(&lanes_.tEnd[lane_]));
   }
 
-  /// Over all components of the voxel: VoxelExtinction, of that part of the ray that goes through any of their boxes.
+  /// Over all components of the voxel: VoxelExtinction, of the box that they lie in.
   HWY_INLINE void sumFibres() {
     total_ = solid_ = kept_ = Real(0.0f);
-    first_ = leave_;
-    last_ = enter_;
     found_ = Contents();
+    box_ = BoxLanes();
     middle_ = Real(0.5f) * (enter_ + leave_);
     const auto add = [this](Mask holds, Whole component, const VoxelLanes::Taken& taken)
                          HWY_ATTR { addFibres(holds, component, taken); };
     voxelLanes_.forEachComponent(add);
-    occupied_ = occupied_ & goes_ & (first_ < last_);
-    const Real perLength = Real(1.0f) / choose(occupied_, last_ - first_, Real(1.0f));
-    for (Real* sum : {&total_, &solid_, &kept_, &found_.whole}) *sum = *sum * perLength;
+    first_ = enter_;
+    last_ = leave_;
+    occupied_ = occupied_ & goes_;
+    const Mask clipped = occupied_ & box_.partial();
+    if (any(clipped)) clip(clipped);
   }
 
-  /// Goes on from sums over a length.
   HWY_INLINE void addFibres(Mask holds, Whole component, const VoxelLanes::Taken& taken) {
     const FibreLanes fibres = fibresOf(field_, lanes_, lane_, holds, component);
-    Real enter = enter_, leave = leave_, crowding(1.0f);
-    const Mask inBox = holds & ~(fibres.box == Whole(VoxelBox().code()));
-    if (any(inBox)) clip(BoxLanes(fibres.box), inBox, enter, leave, crowding);
-    const Mask through = holds & (enter < leave);
-    first_ = choose(through, least(first_, enter), first_);
-    last_ = choose(through, most(last_, leave), last_);
-    const Real crowdedLength = orZero(through, crowding * (leave - enter));
-    const Real extinction =
-        crowdedLength * extinctionOf(field_, through, fibres, vectorOf(lanes_.direction, lane_), taken.radius);
+    const Real extinction = extinctionOf(field_, holds, fibres, vectorOf(lanes_.direction, lane_), taken.radius);
     const Real section = Real(static_cast<float>(kPi)) * taken.radius * taken.radius;
-    const Real solid = crowdedLength * section * fibres.lengthDensity;
-    found_.add(through, component, taken.slot, extinction);
+    const Real solid = orZero(holds, section * fibres.lengthDensity);
+    found_.add(holds, component, taken.slot, extinction);
+    box_.add(holds, fibres.box);
     solid_ = solid_ + solid;
     kept_ = kept_ + solid * taken.separation;
-    total_ = total_ + (field_.hotSpot ? extinction * shareLeft(through, fibres, taken) : extinction);
+    total_ = total_ + (field_.hotSpot ? extinction * shareLeft(holds, fibres, taken) : extinction);
   }
 
-  /// Of some rays, what of their way through the voxel goes through a box there.
-  HWY_INLINE void clip(const BoxLanes& box, Mask inBox, Real& enter, Real& leave, Real& crowding) {
-    Real from = enter, to = leave;
+  /// Of some rays, their way through the voxel to what of it goes through the box, and the sums to what they are there.
+  HWY_INLINE void clip(Mask clipped) {
+    Real from = enter_, to = leave_;
     const Real sizes[3] = {size_.x, size_.y, size_.z};
     for (int axis = 0; axis < 3; ++axis) {
       const Real voxel = toReal(voxel_[axis]), start = Real::of(&lanes_.start_mm[axis][lane_]),
                  inverse = Real::of(&lanes_.inverse[axis][lane_]);
-      const Real a = ((voxel + box.lower[axis]) * sizes[axis] - start) * inverse;
-      const Real b = ((voxel + box.upper[axis]) * sizes[axis] - start) * inverse;
+      const Real a = ((voxel + box_.lowerCorner(axis)) * sizes[axis] - start) * inverse;
+      const Real b = ((voxel + box_.upperCorner(axis)) * sizes[axis] - start) * inverse;
       from = most(from, least(a, b));
       to = least(to, most(a, b));
     }
-    enter = choose(inBox, from, enter);
-    leave = choose(inBox, to, leave);
-    crowding = choose(inBox, box.crowding, crowding);
+    first_ = choose(clipped, from, first_);
+    last_ = choose(clipped, to, last_);
+    occupied_ = occupied_ & (first_ < last_);
+    const Real crowding = choose(clipped, box_.crowding(), Real(1.0f));
+    for (Real* sum : {&total_, &solid_, &kept_, &found_.whole}) *sum = *sum * crowding;
   }
 
   /// What the flights before and the fibre that the last of them came from leave of such fibres.
@@ -206,7 +201,8 @@ class Step {
   Mask through_[3];  ///< the face that it leaves by
   Real faceAt_, leave_, middle_;
   Real total_, solid_, kept_;
-  Real first_, last_;  ///< where the ray comes into the first box of fibres, and leaves the last
+  BoxLanes box_;       ///< where in the voxel its fibres lie
+  Real first_, last_;  ///< where the ray comes into the box, and leaves it
   Contents found_;
   Mask occupied_, met_;
 };
@@ -231,20 +227,26 @@ void lookLanes(const WalkField& field, LookLanes& lanes) {
     const Whole voxel[3] = {Whole::of(&lanes.voxel[0][lane]), Whole::of(&lanes.voxel[1][lane]),
                             Whole::of(&lanes.voxel[2][lane])};
     Contents found;
+    BoxLanes box;
     const auto add = [&](Mask holds, Whole component, const VoxelLanes::Taken& taken) HWY_ATTR {
       const FibreLanes fibres = fibresOf(field, lanes, lane, holds, component);
-      const BoxLanes box(fibres.box);
-      Mask there = holds;
-      for (int axis = 0; axis < 3; ++axis) {
-        const Real place = Real::of(&lanes.inVoxel[axis][lane]);
-        there = there & (box.lower[axis] <= place) & (place < box.upper[axis]);
-      }
-      const Real extinction = extinctionOf(field, there, fibres, vectorOf(lanes.direction, lane), taken.radius);
-      found.add(there, component, taken.slot, orZero(there, box.crowding) * extinction);
+      found.add(holds, component, taken.slot,
+                extinctionOf(field, holds, fibres, vectorOf(lanes.direction, lane), taken.radius));
+      box.add(holds, fibres.box);
     };
     VoxelLanes voxels(field, lanes.cell, lane);
     voxels.open(voxel, wanted);
     voxels.forEachComponent(add);
+    const Mask clipped = wanted & box.partial();
+    if (any(clipped)) {
+      Mask there = clipped;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Real place = Real::of(&lanes.inVoxel[axis][lane]);
+        there = there & (box.lowerCorner(axis) <= place) & (place < box.upperCorner(axis));
+      }
+      found.keepWhere(there | ~clipped);
+      found.whole = found.whole * choose(there, box.crowding(), Real(1.0f));
+    }
     found.to(lanes.found, lane);
   }
 }

@@ -44,17 +44,11 @@ struct CorrelatedShare {
   glm::vec3 middle;
   glm::ivec3 voxel;
 
-  float operator()(const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span,
-                   VoxelBox) const {
+  float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
+                   const VoxelContent::YarnSpan& span) const {
     if (!unknown) return 1;
     return unknown->share(fibres, optics.fibreRadius_mm, optics.packed, {span.system, span.index}, middle, voxel);
   }
-};
-
-/// What a ray finds of the fibres of a voxel, of which each component lies in a box.
-struct FoundInBoxes {
-  float enter = 1e30f, leave = -1e30f;  ///< of all boxes together
-  VoxelExtinction mean;                 ///< along that stretch
 };
 
 /// A ray on its way through the stretches along which light can meet fibres whose axes lie in one voxel, in order.
@@ -109,11 +103,14 @@ class RayIntervals {
   bool enterVoxel() {
     constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
     const ShellSegment& s = segment();
-    const FoundInBoxes found = findInBoxes();
-    if (!(found.enter < found.leave)) return false;
-    extinction = found.mean;
-    const float uEnter = found.enter, uLeave = found.leave;
+    float uEnter = march_->enter(), uLeave = march_->leave();
+    const VoxelBox box = boxOf(content());
+    clip(box, uEnter, uLeave);
+    if (!(uEnter < uLeave)) return false;
     const float filledBefore = uEnter - last_ < 1e-5f ? filled_ : 0.0f;
+    extinction = sumExtinction(cloth_.yarns, content(), s.drape, direction_, share());
+    for (float* sum : {&extinction.total, &extinction.whole, &extinction.solid, &extinction.kept})
+      *sum *= box.crowding();
     last_ = uLeave;
     filled_ = rules_.packing ? std::min(extinction.kept, kFullest) : 0.0f;
     ahead = std::min(0.5f * extinction.solid / extinction.whole, rules_.farthest_mm);
@@ -127,42 +124,20 @@ class RayIntervals {
     return true;
   }
 
-  /// Component by component: where the ray is in its box, and how much of it lies there.
-  FoundInBoxes findInBoxes() const {
-    FoundInBoxes found;
-    const ShellSegment& s = segment();
-    const VoxelGrid& grid = cloth_.volume->grid();
-    const CorrelatedShare share = this->share();
-    forEachComponent(
-        cloth_.yarns, content(), s.drape,
-        [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span,
-            VoxelBox box) {
-          double enter = march_->enter(), leave = march_->leave();
-          for (int axis = 0; axis < 3; ++axis) {
-            const double corner = static_cast<double>(cloth_.volume->lower_mm()[axis]) +
-                                  content().voxel[axis] * static_cast<double>(grid.size_mm[axis]);
-            const double way = s.clothDirection[axis], from = s.clothOrigin[axis];
-            if (way == 0) continue;
-            const double a = (corner + box.lowerCorner()[axis] * static_cast<double>(grid.size_mm[axis]) - from) / way;
-            const double b = (corner + box.upperCorner()[axis] * static_cast<double>(grid.size_mm[axis]) - from) / way;
-            enter = std::max(enter, std::min(a, b));
-            leave = std::min(leave, std::max(a, b));
-          }
-          if (!(enter < leave)) return;
-          found.enter = std::min(found.enter, static_cast<float>(enter));
-          found.leave = std::max(found.leave, static_cast<float>(leave));
-          const float length = box.crowding() * static_cast<float>(leave - enter);
-          const float whole = loomlight::extinction(fibres, optics, direction_) * length;
-          const float solid =
-              static_cast<float>(kPi) * optics.fibreRadius_mm * optics.fibreRadius_mm * fibres.lengthDensity * length;
-          found.mean.total += whole * share(fibres, optics, span, box);
-          found.mean.whole += whole;
-          found.mean.solid += solid;
-          found.mean.kept += solid * optics.separation;
-        });
-    const float stretch = found.leave - found.enter;
-    for (float* sum : {&found.mean.total, &found.mean.whole, &found.mean.solid, &found.mean.kept}) *sum /= stretch;
-    return found;
+  /// To what of its way through the voxel goes through a box there.
+  void clip(VoxelBox box, float& uEnter, float& uLeave) const {
+    double enter = uEnter, leave = uLeave;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double size = cloth_.volume->grid().size_mm[axis], way = segment().clothDirection[axis];
+      if (way == 0) continue;
+      const double corner = cloth_.volume->lower_mm()[axis] + content().voxel[axis] * size;
+      const double a = (corner + box.lowerCorner()[axis] * size - segment().clothOrigin[axis]) / way;
+      const double b = (corner + box.upperCorner()[axis] * size - segment().clothOrigin[axis]) / way;
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    uEnter = static_cast<float>(enter);
+    uLeave = static_cast<float>(leave);
   }
 
   const TraceData& cloth_;

@@ -197,7 +197,7 @@ TEST_F(RefinementTest, TakesOverFromAnotherPictureWithoutALeapAndForgetsIt) {
   earlier.height = kHeight;
   earlier.window = {0, 0, kWidth, kHeight};
   earlier.samples = 8;
-  earlier.rgba.assign(size_t{kWidth} * kHeight, glm::vec4(0.5f, 0.5f, 0.5f, 1));
+  earlier.rgba.assign(size_t{kWidth} * kHeight, glm::vec4(0.2f, 0.2f, 0.2f, 1));  // darker than the cloth by far
   earlier.hits.resize(earlier.rgba.size());
   refinement.standIn(std::make_shared<const Frame>(earlier));
   refinement.skipCoarse();

@@ -52,7 +52,7 @@ TEST(EventLaw, OfTheReportIgnoresTheAngle) {
 
 TEST(EventLaw, ChoosesOnlyAmongWhatCounts) {
   const CrossedVoxel voxel;
-  const auto weftAlone = [](const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan& span, VoxelBox) {
+  const auto weftAlone = [](const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan& span) {
     return span.system == System::weft ? 0.25f : 0.0f;
   };
   const VoxelContent both = CrossedVoxel::of({voxel.warpSpan(), voxel.weftSpan()});

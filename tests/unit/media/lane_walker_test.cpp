@@ -166,31 +166,12 @@ TEST_P(LaneWalks, AreTheSameInAnyCompanyAndOfAnyWidth) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-/// What of a voxel's components lies at a place in it, in widths of the voxel; `component` as FoundLanes has it.
-struct FoundAtPlace {
-  float whole = 0;
-  int component = FoundLanes::kNone;
-};
-FoundAtPlace foundAt(const TraceData& cloth, const VoxelContent& content, const FoundFibres& found, glm::vec3 place,
-                     glm::vec3 direction) {
-  FoundAtPlace there;
-  for (int span = 0; span < content.count; ++span)
-    for (const Component& component : content.spans[span].components) {
-      const glm::vec3 lower = component.box().lowerCorner(), upper = component.box().upperCorner();
-      if (glm::any(glm::lessThan(place, lower)) || glm::any(glm::greaterThanEqual(place, upper))) continue;
-      VoxelContent alone = content;
-      alone.count = 1;
-      alone.spans[0] = content.spans[span];
-      alone.spans[0].components = {&component, 1};
-      there.whole += component.box().crowding() * sumExtinction(cloth.yarns, alone, found.drape, direction).whole;
-      there.component = there.component == FoundLanes::kNone ? static_cast<int>(&component - cloth.volume->components())
-                                                             : FoundLanes::kSeveral;
-    }
-  return there;
+/// The extinction of a voxel's fibres, spread over the box that they lie in.
+float wholeInBox(const TraceData& cloth, const VoxelContent& content, const FoundFibres& found, glm::vec3 direction) {
+  return boxOf(content).crowding() * sumExtinction(cloth.yarns, content, found.drape, direction).whole;
 }
 
-// A ray finds what the voxel holds, within what the lanes' table of I(alpha, s) is off: of one component what is in its
-// box, of several no more than all of them together.
+// A ray finds what the voxel holds, within what the lanes' table of I(alpha, s) is off.
 TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
   const auto scene = this->scene();
   const TraceData& cloth = *scene->cloth;
@@ -202,32 +183,27 @@ TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
   ASSERT_GT(ends.found().size(), 100u);
   size_t several = 0, boxes = 0;
   for (const FoundFibres& found : ends.found()) {
-    const glm::vec3 direction = all.rays[found.ray].direction;
     VoxelContent content;
     walker.cells().bricksIn(found.cell).content(*cloth.volume, found.voxel, content);
-    if (found.component < 0) {
+    const float whole = wholeInBox(cloth, content, found, all.rays[found.ray].direction);
+    EXPECT_NEAR(found.whole, whole, 1e-4f * whole);
+    boxes += boxOf(content) != VoxelBox() ? 1 : 0;
+    several += hasSeveralComponents(content) ? 1 : 0;
+    if (hasSeveralComponents(content)) {
       EXPECT_EQ(found.component, FoundLanes::kSeveral);
-      EXPECT_TRUE(hasSeveralComponents(content));
-      ++several;
-      continue;
+    } else {
+      const VoxelContent::YarnSpan& only = content.spans[0];
+      const auto& brick = walker.cells().bricksIn(found.cell).bricks[static_cast<size_t>(found.slot)];
+      EXPECT_EQ(cloth.volume->components() + found.component, &only.components[0]);
+      EXPECT_EQ(YarnId(brick.system, brick.index), YarnId(only.system, only.index));
     }
-    const VoxelBox box = cloth.volume->components()[found.component].box();
-    const glm::vec3 middle = 0.5f * (box.lowerCorner() + box.upperCorner());
-    boxes += box != VoxelBox();
-    if (hasSeveralComponents(content)) continue;
-    const FoundAtPlace there = foundAt(cloth, content, found, middle, direction);
-    EXPECT_NEAR(found.whole, there.whole, 1e-4f * there.whole);
-    EXPECT_EQ(found.component, there.component);
-    const VoxelContent::YarnSpan& only = content.spans[0];
-    const auto& brick = walker.cells().bricksIn(found.cell).bricks[static_cast<size_t>(found.slot)];
-    EXPECT_EQ(YarnId(brick.system, brick.index), YarnId(only.system, only.index));
   }
   EXPECT_GT(several, 0u);
   EXPECT_EQ(boxes > 0, GetParam().fibresPerPly > 0);
 }
 
-// Who looks at a place in a voxel finds the components that reach there, on every instruction set.
-TEST_P(LaneWalks, LooksFindWhatReachesToAPlace) {
+// Who looks at a place in the box finds what rays do, on every instruction set, and nothing beside it.
+TEST_P(LaneWalks, LooksFindWhatIsAtAPlace) {
   const auto scene = this->scene();
   const TraceData& cloth = *scene->cloth;
   const LoomlightMedium medium(scene->cloth);
@@ -262,11 +238,19 @@ TEST_P(LaneWalks, LooksFindWhatReachesToAPlace) {
       for (size_t lane = 0; lane < kWalkLanes; ++lane) {
         VoxelContent content;
         walker.cells().bricksIn(foundIn(lane).cell).content(*cloth.volume, foundIn(lane).voxel, content);
-        const glm::vec3 direction = all.rays[foundIn(lane).ray].direction;
-        const FoundAtPlace there = foundAt(cloth, content, foundIn(lane), places[lane], direction);
-        EXPECT_NEAR(looks.found.whole[lane], there.whole, 1e-4f * there.whole);
-        EXPECT_EQ(looks.found.component[lane], there.component);
-        ++(there.whole > 0 ? found : nothing);
+        const glm::vec3 lower = boxOf(content).lowerCorner(), upper = boxOf(content).upperCorner();
+        if (glm::any(glm::lessThan(places[lane], lower)) || glm::any(glm::greaterThanEqual(places[lane], upper))) {
+          EXPECT_EQ(looks.found.whole[lane], 0);
+          EXPECT_EQ(looks.found.component[lane], FoundLanes::kNone);
+          ++nothing;
+          continue;
+        }
+        EXPECT_EQ(looks.found.whole[lane], foundIn(lane).whole);
+        EXPECT_EQ(looks.found.component[lane], foundIn(lane).component);
+        if (foundIn(lane).component >= 0) {
+          EXPECT_EQ(looks.found.slot[lane], foundIn(lane).slot);
+        }
+        ++found;
       }
     }
     EXPECT_GT(found, 100u);

@@ -55,7 +55,7 @@ TEST(DraftSheet, DrawsCrossingsInTheRatioOfTheSett) {
 TEST(DraftSheet, BarsHaveTheColoursThatTheClothReaches) {
   Fabric fabric = coarseCloth();
   fabric.weave = twill(2, 2);
-  fabric.fibres[0].absorption_per_mm = Rgb(4.0f, 150.0f, 180.0f);
+  fabric.fibres[0].absorption_per_mm = Rgb(12.0f, 150.0f, 180.0f);
   const Pixels8 sheet = sheetOf(fabric);
   // Margin and title, then the bar of the first end: cells of 16 pixels, of which two are beside the drawdown.
   const size_t x = 16 + 2 * 16 + 8, y = 16 + 28 + 8;
