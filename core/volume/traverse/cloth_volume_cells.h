@@ -3,6 +3,7 @@
 // How rays come into the cells of ClothVolume, apart from its declaration; included by cloth_volume.h.
 
 #include <array>
+#include <cmath>
 
 #include "core/volume/traverse/cloth_volume_march.h"
 
