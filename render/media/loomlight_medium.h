@@ -24,9 +24,9 @@ namespace loomlight {
 ///   and stray overlap too: of phi counts what their yarn's separation has left (YarnModel), for gaps among fibres that
 ///   lie anywhere are Poisson. Light may then set out from inside of another fibre, which it does not meet, among
 ///   explicit fibres as here.
-/// boxes: at the rim of a yarn fibres fill a part of their voxel (VoxelBox), and are met there alone, as much denser; of
-///   several components, in the box around all. Spread over their voxels they would close the slits between yarns, which
-///   is where light comes through dense cloth.
+/// boxes: at the rim of a yarn fibres fill a part of their voxel (VoxelBox), and are met there alone, as much denser;
+///   of several components, in the box around all. Spread over their voxels they would close the slits between yarns,
+///   which is where light comes through dense cloth.
 /// hot spot: the ways light came are free of fibres, so a fibre that would block both one of them and the new one is
 ///   not there: extinction at distance s is reduced by max(0, 1 - delta / 2r), delta the distance between both ways
 ///   seen along the fibre. With the light behind the eye nothing is in shadow. Two flights are remembered: with one,
