@@ -8,8 +8,8 @@
 // voxels are empty and most of the others have fibres of one ply, so each voxel has the head of a linked list of
 // moments, one for each ply; -1 where there is none. A coarser level adds the lists of eight voxels into one. fit()
 // turns a voxel's list into components: where there are more than two plies, the pair whose merging loses least is
-// merged until two are left. Its box ends where its fibres do, but goes on to the face of the voxel where the yarn goes
-// on beyond it: a rim is where the next voxel holds little. Voxels are encoded in order of their number, so that the
+// merged until two are left. A component's box ends where its fibres do; where the next voxel holds enough of the same
+// ply, which is no rim then, it goes on to the face. Voxels are encoded in order of their number, so that the
 // components of a block lie together.
 
 namespace loomlight {

@@ -166,6 +166,21 @@ TEST_P(LaneWalks, AreTheSameInAnyCompanyAndOfAnyWidth) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
+/// What the rays of 300 paths have found.
+struct FoundByPaths {
+  explicit FoundByPaths(const Scene& scene)
+      : medium(scene.cloth),
+        all(raysOf(scene, medium, 300)),
+        walker(*scene.cloth, medium.walkRules()),
+        ends(*scene.cloth, all.rays.size()) {
+    walker.walk(all.rays, ends);
+  }
+  LoomlightMedium medium;
+  Rays all;
+  LaneWalker walker;
+  Ends ends;
+};
+
 /// The extinction of a voxel's fibres, spread over the box that they lie in.
 float wholeInBox(const TraceData& cloth, const VoxelContent& content, const FoundFibres& found, glm::vec3 direction) {
   return boxOf(content).crowding() * sumExtinction(cloth.yarns, content, found.drape, direction).whole;
@@ -175,11 +190,8 @@ float wholeInBox(const TraceData& cloth, const VoxelContent& content, const Foun
 TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
   const auto scene = this->scene();
   const TraceData& cloth = *scene->cloth;
-  const LoomlightMedium medium(scene->cloth);
-  const Rays all = raysOf(*scene, medium, 300);
-  LaneWalker walker(cloth, medium.walkRules());
-  Ends ends(cloth, all.rays.size());
-  walker.walk(all.rays, ends);
+  FoundByPaths walked(*scene);
+  auto& [medium, all, walker, ends] = walked;
   ASSERT_GT(ends.found().size(), 100u);
   size_t several = 0, boxes = 0;
   for (const FoundFibres& found : ends.found()) {
@@ -206,11 +218,8 @@ TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
 TEST_P(LaneWalks, LooksFindWhatIsAtAPlace) {
   const auto scene = this->scene();
   const TraceData& cloth = *scene->cloth;
-  const LoomlightMedium medium(scene->cloth);
-  const Rays all = raysOf(*scene, medium, 300);
-  LaneWalker walker(cloth, medium.walkRules());
-  Ends ends(cloth, all.rays.size());
-  walker.walk(all.rays, ends);
+  FoundByPaths walked(*scene);
+  auto& [medium, all, walker, ends] = walked;
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
