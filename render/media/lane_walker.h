@@ -66,7 +66,7 @@ struct FoundFibres {
   glm::vec3 inCell_mm{0};  ///< where the light is, cloth space, from that corner
   float ahead_mm = 0;      ///< distance by which the axes of fibres lie ahead of the light: c of LoomlightMedium
   float toMiddle_mm = 0;   ///< along the ray, from the light to the middle of its way through the voxel
-  float whole = 0;         ///< extinction of the voxel, 1/mm
+  float whole = 0;         ///< extinction of all, as FoundLanes has it, 1/mm
   int component = 0;       ///< of the voxel, as FoundLanes has it
   int slot = 0;            ///< the brick of the cell in which that is
 };

@@ -75,8 +75,9 @@ void LoomlightMedium::remember(const Collision& met, Memory& memory) const {
   known.pastSegments = {RaySegment{met.place.world, met.incoming, met.distance_mm}, known.pastSegments[0]};
 }
 
-/// What a meeting is with hangs on the voxel that the axis lies in, and on nothing else of the two antithetic points.
-/// So where both lay in one voxel, all other pairs of points that do belong to the same component and tangent.
+/// What a meeting is with hangs on which components are where the axis lies, and on nothing else of the two antithetic
+/// points. So where both lay where all components of one voxel are, all other pairs of points that do belong to the
+/// same component and tangent.
 size_t LoomlightMedium::offsetsAcross(const Collision& met, const Memory& memory, std::span<float> offsets,
                                       Random& random) const {
   offsets[0] = met.offset;
@@ -87,7 +88,7 @@ size_t LoomlightMedium::offsetsAcross(const Collision& met, const Memory& memory
   RandomLanes<float> numbers(random);
   const FibreFrame frame(met.incoming);
   const glm::mat3 toCloth = toClothOf(met.place.tet);
-  const auto isInBox = [&](const Vec3Of<float>& w) {
+  const auto isAmongAll = [&](const Vec3Of<float>& w) {
     const glm::vec3 shift = radius_mm_ * (w.x * frame.y + w.y * frame.z) + 2 * meeting.ahead_mm * w.z * met.incoming;
     return isWithin(toCloth * shift, meeting.lower_mm, meeting.upper_mm);
   };
@@ -95,7 +96,7 @@ size_t LoomlightMedium::offsetsAcross(const Collision& met, const Memory& memory
   offsets[count++] = offset(numbersOf(meeting.points[1]));
   for (size_t tried = 2; tried + 1 < offsets.size(); tried += 2) {
     const AntitheticPoints<float> w(numbers);
-    if (!isInBox(w.first) || !isInBox(w.second)) continue;
+    if (!isAmongAll(w.first) || !isAmongAll(w.second)) continue;
     offsets[count++] = offset(w.first);
     offsets[count++] = offset(w.second);
   }

@@ -24,9 +24,8 @@ namespace loomlight {
 ///   and stray overlap too: of phi counts what their yarn's separation has left (YarnModel), for gaps among fibres that
 ///   lie anywhere are Poisson. Light may then set out from inside of another fibre, which it does not meet, among
 ///   explicit fibres as here.
-/// boxes: at the rim of a yarn fibres fill a part of their voxel (VoxelBox), and are met there alone, as much denser;
-///   of several components, in the box around all. Spread over their voxels they would close the slits between yarns,
-///   which is where light comes through dense cloth.
+/// boxes: at the rim of a yarn fibres fill a part of their voxel (VoxelBox), and are met there alone, as much denser.
+///   Spread over their voxels they would close the slits between yarns, which is where light comes through dense cloth.
 /// hot spot: the ways light came are free of fibres, so a fibre that would block both one of them and the new one is
 ///   not there: extinction at distance s is reduced by max(0, 1 - delta / 2r), delta the distance between both ways
 ///   seen along the fibre. With the light behind the eye nothing is in shadow. Two flights are remembered: with one,
@@ -48,11 +47,11 @@ class LoomlightMedium final : public Medium {
   explicit LoomlightMedium(std::shared_ptr<const TraceData> cloth) : LoomlightMedium(std::move(cloth), Ingredients{}) {}
 
   /// How the last fibre was met: from which two antithetic points of the hemisphere about the ray its axis was chosen
-  /// (above), where both led into the voxel that the walk had found.
+  /// (above), where both led to where all the components are of the voxel that the walk had found.
   struct HowMet {
     bool inOneVoxel = false;
     glm::vec3 points[2]{};  ///< the one that was taken first; along the axes of FibreFrame about the ray, and along it
-    glm::vec3 lower_mm{0}, upper_mm{0};  ///< of the box where the axis is, from the light, in cloth space
+    glm::vec3 lower_mm{0}, upper_mm{0};  ///< of where all of them are, from the light, in cloth space
     float ahead_mm = 0;                  ///< c
   };
   /// Of a path. What is known of fibres is nothing without the hot spot.

@@ -11,10 +11,11 @@
 
 // How it works. A walk has found the voxel in which the depth of a ray is used up. Two antithetic points of the
 // hemisphere about the ray (AntitheticPoints) say where the axis of the fibre could lie instead, and the extinction of
-// the voxels there how likely each of the two is: where that is another voxel, render/walk looks into it, for all
-// meetings at once. Then a component is drawn of the voxel that was taken, a tangent of it, and how the fibre lies
-// across the ray follows from the point. Whatever changes the extinction in a voxel, such as a way that is known to be
-// free, changes the walk and these draws alike, or a white furnace would not stay white.
+// the voxels there how likely each of the two is: where that is not the part of the found voxel in which all of its
+// components are, render/walk looks there, for all meetings at once. Then a component is drawn of those at the point
+// that was taken, a tangent of it, and how the fibre lies across the ray follows from the point. Whatever changes the
+// extinction in a voxel, such as a way that is known to be free, changes the walk and these draws alike, or a white
+// furnace would not stay white.
 //
 // Most voxels hold one component, which the walk names; where there are several, one ray after the other chooses.
 namespace loomlight {
@@ -35,14 +36,15 @@ class CorrelatedShare {
                     glm::normalize(toCloth * before.tangent), before.radius_mm, grid);
   }
 
-  float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
-                   const VoxelContent::YarnSpan& span) const {
+  float operator()(const VoxelFibres& component) const {
+    const FibreDistribution& fibres = component.fibres;
+    const YarnOptics& optics = *component.optics;
     float absent = 0;
     for (const RaySegment& past : known_.pastSegments)
       if (past.length_mm > 0)
         absent = std::max(absent, knownAbsent(past, middle_, fibres.direction, fibres.spread, optics.fibreRadius_mm));
     float before = 0;
-    if (before_ && YarnId{span.system, span.index} == known_.before.yarnId && optics.packed)
+    if (before_ && component.yarnId() == known_.before.yarnId && optics.packed)
       before = std::min(1.0f, before_->lengthDensity(lower_) / fibres.lengthDensity);
     return (1 - absent) * (1 - before);
   }
@@ -85,12 +87,13 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
   for (size_t lane = 0; lane < count; ++lane) randoms[lane] = meetings[lane].random;
   RandomLanes<Lanes> random(randoms);
   const auto direction = columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].direction; });
-  for (size_t lane = 0; lane < count; ++lane) boxes_[lane] = boxFound(meetings[lane]);
+  for (size_t lane = 0; lane < count; ++lane) common_[lane] = commonPart(meetings[lane]);
   Lanes offset{};
   if (medium_.ingredients().finiteRadius) {
     lookForAxes(meetings, direction, random);
   } else {
     offset = 2 * random.uniform() - 1;
+    axis_ = columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].found->inCell_mm; });
     takenLook_ = broadcast<Lanes>(-1);
     inOneVoxel_ = random.inUse();
   }
@@ -124,8 +127,8 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
     how.points[0] = vectorOf(points_[0]);
     how.points[1] = vectorOf(points_[1]);
     const glm::vec3 size = cloth_.volume->grid().size_mm, voxel(meeting.found->voxel);
-    how.lower_mm = (voxel + boxes_[lane].lowerCorner()) * size - meeting.found->inCell_mm;
-    how.upper_mm = (voxel + boxes_[lane].upperCorner()) * size - meeting.found->inCell_mm;
+    how.lower_mm = (voxel + common_[lane].lower) * size - meeting.found->inCell_mm;
+    how.upper_mm = (voxel + common_[lane].upper) * size - meeting.found->inCell_mm;
     how.ahead_mm = meeting.found->ahead_mm;
   }
 }
@@ -141,8 +144,9 @@ void LoomlightMeetings::lookForAxes(std::span<const Meeting> meetings, const Vec
     return broadcast<Lanes>(medium_.radius_mm()) * (point.x * frame.y + point.y * frame.z) +
            (2 * ahead * point.z) * direction;
   };
+  const Vectors axes[2] = {axisAfter(meetings, shift(w.first)), axisAfter(meetings, shift(w.second))};
   looks_->wanted.fill(0);
-  const Mask firstStays = lookThere(meetings, 0, shift(w.first)), secondStays = lookThere(meetings, 1, shift(w.second));
+  const Mask firstStays = lookThere(meetings, 0, axes[0]), secondStays = lookThere(meetings, 1, axes[1]);
   inOneVoxel_ = firstStays & secondStays;
   if (any(~inOneVoxel_)) look(walker_.field(), *looks_);
 
@@ -159,26 +163,43 @@ void LoomlightMeetings::lookForAxes(std::span<const Meeting> meetings, const Vec
                 takesFirst ? w.first.z : w.second.z};
   points_[1] = {takesFirst ? w.second.x : w.first.x, takesFirst ? w.second.y : w.first.y,
                 takesFirst ? w.second.z : w.first.z};
+  const Vectors between = axisAfter(meetings, ahead * direction);
+  const Mask nowhere = first + second <= 0;
+  axis_ = {nowhere      ? between.x
+           : takesFirst ? axes[0].x
+                        : axes[1].x,
+           nowhere      ? between.y
+           : takesFirst ? axes[0].y
+                        : axes[1].y,
+           nowhere      ? between.z
+           : takesFirst ? axes[0].z
+                        : axes[1].z};
   const Lanes own = broadcast<Lanes>(-1);
   const Lanes lanes = {0, 1, 2, 3, 4, 5, 6, 7};
   takenLook_ = takesFirst ? (elsewhere[0] > 0 ? lanes : own) : (elsewhere[1] > 0 ? lanes + kMost : own);
 }
 
-/// Where in the voxel that was found its fibres are.
-VoxelBox LoomlightMeetings::boxFound(const Meeting& meeting) {
+LoomlightMeetings::VoxelPart LoomlightMeetings::commonPart(const Meeting& meeting) {
   const FoundFibres& found = *meeting.found;
-  if (found.component >= 0) return cloth_.volume->components()[found.component].box();
+  if (found.component >= 0) {
+    const VoxelBox box = cloth_.volume->components()[found.component].box();
+    return {box.lowerCorner(), box.upperCorner()};
+  }
   VoxelContent content;
   walker_.cells().bricksIn(found.cell).content(*cloth_.volume, found.voxel, content);
-  return boxOf(content);
+  VoxelPart common;
+  for (int span = 0; span < content.count; ++span)
+    for (const Component& component : content.spans[span].components) {
+      common.lower = glm::max(common.lower, component.box().lowerCorner());
+      common.upper = glm::min(common.upper, component.box().upperCorner());
+    }
+  return common;
 }
 
-/// Of one of the points of each meeting, which leads so far from the light, in the world: for which the axis is among
-/// the very fibres that were found. Where it is in another voxel a look is wanted.
-LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> meetings, size_t point,
-                                                     const Vectors& shift) {
+/// Where the axis of the fibre is, if it is so far from the light, in the world: counted in cloth space from the corner
+/// of the light's cell.
+LoomlightMeetings::Vectors LoomlightMeetings::axisAfter(std::span<const Meeting> meetings, const Vectors& shift) const {
   const size_t count = meetings.size();
-  const glm::vec3 size = cloth_.volume->grid().size_mm;
   Vectors inCloth = shift;
   if (!cloth_.shell->isFlat()) {
     const auto column = [&](int k) {
@@ -186,9 +207,16 @@ LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> me
     };
     inCloth = shift.x * column(0) + shift.y * column(1) + shift.z * column(2);
   }
-  const auto light = columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].found->inCell_mm; });
+  return columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].found->inCell_mm; }) + inCloth;
+}
+
+/// Of one of the points of each meeting: for which the axis is where all the fibres are that were found. Elsewhere a
+/// look is wanted, but for the rest of a voxel that has one component alone, where nothing is.
+LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> meetings, size_t point,
+                                                     const Vectors& axis) {
+  const size_t count = meetings.size();
+  const glm::vec3 size = cloth_.volume->grid().size_mm;
   const auto voxel = columnsOf<Lanes>(count, [&](size_t i) { return glm::vec3(meetings[i].found->voxel); });
-  const Vectors axis = light + inCloth;
   const Vectors inVoxel = axis - Vectors{size.x * voxel.x, size.y * voxel.y, size.z * voxel.z};
   const auto isWithin = [&inVoxel](const Vectors& lower, const Vectors& upper) {
     return (inVoxel.x >= lower.x) & (inVoxel.y >= lower.y) & (inVoxel.z >= lower.z) & (inVoxel.x < upper.x) &
@@ -196,11 +224,15 @@ LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> me
   };
   const Vectors whole{broadcast<Lanes>(size.x), broadcast<Lanes>(size.y), broadcast<Lanes>(size.z)};
   const Mask inSame = isWithin(Vectors{}, whole);
-  for (size_t lane = 0; lane < count; ++lane)
-    if (inSame[lane] == 0) wantLook(meetings[lane], point * kMost + lane, {axis.x[lane], axis.y[lane], axis.z[lane]});
-  const auto lower = columnsOf<Lanes>(count, [&](size_t i) { return size * boxes_[i].lowerCorner(); });
-  const auto upper = columnsOf<Lanes>(count, [&](size_t i) { return size * boxes_[i].upperCorner(); });
-  return isWithin(lower, upper);
+  const auto lower = columnsOf<Lanes>(count, [&](size_t i) { return size * common_[i].lower; });
+  const auto upper = columnsOf<Lanes>(count, [&](size_t i) { return size * common_[i].upper; });
+  const Mask inCommon = isWithin(lower, upper);
+  for (size_t lane = 0; lane < count; ++lane) {
+    const bool mayBeElsewhere = inSame[lane] == 0 || meetings[lane].found->component < 0;
+    if (inCommon[lane] == 0 && mayBeElsewhere)
+      wantLook(meetings[lane], point * kMost + lane, {axis.x[lane], axis.y[lane], axis.z[lane]});
+  }
+  return inCommon;
 }
 
 /// Into the voxel around a point, which is counted from the corner of the cell in which the light is. Outside of the
@@ -226,38 +258,48 @@ void LoomlightMeetings::wantLook(const Meeting& meeting, size_t lane, glm::vec3 
 
 /// The component that a meeting is with.
 void LoomlightMeetings::choose(const Meeting& meeting, size_t lane, Fibres& fibres) {
+  const FoundFibres& found = *meeting.found;
   const auto look = static_cast<int>(takenLook_[lane]);
-  if (look < 0) return chooseFound(meeting, lane, fibres);
+  if (look < 0) {
+    const glm::vec3 axis(axis_.x[lane], axis_.y[lane], axis_.z[lane]);
+    return chooseFound(meeting, lane, axis / cloth_.volume->grid().size_mm - glm::vec3(found.voxel), fibres);
+  }
   const auto i = static_cast<size_t>(look);
+  const glm::ivec3 voxel(looks_->voxel[0][i], looks_->voxel[1][i], looks_->voxel[2][i]);
+  const glm::vec3 inVoxel(looks_->inVoxel[0][i], looks_->inVoxel[1][i], looks_->inVoxel[2][i]);
+  if (cells_[i] == found.cell && voxel == found.voxel) return chooseFound(meeting, lane, inVoxel, fibres);
   const FoundLanes& there = looks_->found;
   if (there.component[i] >= 0) return take(meeting, lane, cells_[i], there.component[i], there.slot[i], fibres);
   VoxelContent content;
-  const glm::ivec3 voxel(looks_->voxel[0][i], looks_->voxel[1][i], looks_->voxel[2][i]);
   walker_.cells().bricksIn(cells_[i]).content(*cloth_.volume, voxel, content);
-  chooseAmong(meeting, lane, content, fibres, WholeExtinction{});
+  chooseAmong(meeting, lane, content, fibres, ExtinctionAt{inVoxel});
 }
 
-/// In the voxel that the walk has found.
-void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, Fibres& fibres) {
+/// In the voxel that the walk has found, at a place in widths of it.
+void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, glm::vec3 inVoxel, Fibres& fibres) {
   const FoundFibres& found = *meeting.found;
   if (found.component >= 0) return take(meeting, lane, found.cell, found.component, found.slot, fibres);
   VoxelContent content;
   walker_.cells().bricksIn(found.cell).content(*cloth_.volume, found.voxel, content);
-  if (!medium_.ingredients().hotSpot) return chooseAmong(meeting, lane, content, fibres, WholeExtinction{});
+  const ExtinctionAt there{inVoxel};
+  if (!medium_.ingredients().hotSpot) return chooseAmong(meeting, lane, content, fibres, there);
   const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), medium_.toClothOf(found.tet));
-  chooseAmong(meeting, lane, content, fibres, share);
+  chooseAmong(meeting, lane, content, fibres, [&](const VoxelFibres& component) {
+    const float denser = there(component);
+    return denser > 0 ? denser * share(component) : 0.0f;
+  });
 }
 
 template <class Share>
 void LoomlightMeetings::chooseAmong(const Meeting& meeting, size_t lane, const VoxelContent& content, Fibres& fibres,
                                     const Share& share) {
-  const MetComponent met = chooseComponent(cloth_.yarns, content, meeting.found->drape, meeting.direction,
-                                           meeting.random->uniform(), EventLaw::projected, share);
+  const VoxelFibres met = chooseComponent(cloth_.yarns, content, meeting.found->drape, meeting.direction,
+                                          meeting.random->uniform(), EventLaw::projected, share);
   fibres.put(lane, met.fibres, met.optics->fibreRadius_mm);
   Collision& c = **meeting.met;
   c.optics = *met.optics;
-  c.yarnId = met.yarnId;
-  c.yarn = met.yarn;
+  c.yarnId = met.yarnId();
+  c.yarn = met.span->yarn;
   c.end = content.end;
   c.pick = content.pick;
 }

@@ -37,11 +37,16 @@ class LoomlightMeetings {
   /// Which fibres each meeting is with.
   struct Fibres;
   void lookForAxes(std::span<const Meeting> meetings, const Vectors& direction, RandomLanes<Lanes>& random);
-  VoxelBox boxFound(const Meeting& meeting);
-  Mask lookThere(std::span<const Meeting> meetings, size_t point, const Vectors& shift);
+  /// Of a voxel, in widths of it; empty where an edge of `upper` is not beyond that of `lower`.
+  struct VoxelPart {
+    glm::vec3 lower{0}, upper{1};
+  };
+  VoxelPart commonPart(const Meeting& meeting);
+  Vectors axisAfter(std::span<const Meeting> meetings, const Vectors& shift) const;
+  Mask lookThere(std::span<const Meeting> meetings, size_t point, const Vectors& axis);
   void wantLook(const Meeting& meeting, size_t lane, glm::vec3 axis_mm);
   void choose(const Meeting& meeting, size_t lane, Fibres& fibres);
-  void chooseFound(const Meeting& meeting, size_t lane, Fibres& fibres);
+  void chooseFound(const Meeting& meeting, size_t lane, glm::vec3 inVoxel, Fibres& fibres);
   template <class Share>
   void chooseAmong(const Meeting& meeting, size_t lane, const VoxelContent& content, Fibres& fibres,
                    const Share& share);
@@ -53,10 +58,11 @@ class LoomlightMeetings {
   std::unique_ptr<LookLanes> looks_;            ///< of each meeting one from its first point, then one from its second
   std::array<glm::ivec3, kWalkLanes> cells_{};  ///< in which they look
   // Of one call:
-  std::array<VoxelBox, kMost> boxes_{};  ///< where in the voxels that were found fibres are
-  std::array<Vectors, 2> points_{};      ///< the two that axes were looked for by, the one that was taken first
-  Lanes takenLook_{};                    ///< the look whose voxel the axis is in; -1: the voxel that was found
-  Mask inOneVoxel_{};                    ///< both points led into the voxel that was found
+  std::array<VoxelPart, kMost> common_{};  ///< where in the voxels that were found all their components are
+  std::array<Vectors, 2> points_{};        ///< the two that axes were looked for by, the one that was taken first
+  Vectors axis_{};                         ///< where it is, cloth space, from the corner of the light's cell
+  Lanes takenLook_{};                      ///< the look that found the axis; -1: it is in the voxel that was found
+  Mask inOneVoxel_{};                      ///< both points led to where all the components are that were found
 };
 
 }  // namespace loomlight

@@ -21,14 +21,14 @@ std::optional<Collision> VolumeMedium::collide(const ScenePoint& from, Memory&, 
   ClothWalk walk(*cloth_, from, direction, std::numeric_limits<float>::infinity());
   while (walk.next()) {
     ++counts.steps;
-    const float total = sumExtinction(cloth_->yarns, walk.content(), walk.drape(), direction).total;
+    const float total = sumExtinction(cloth_->yarns, walk.content(), walk.drape(), direction);
     const float depth = total * (walk.leave() - walk.enter());
     if (opticalDepth >= depth) {
       opticalDepth -= depth;
       continue;
     }
     const float t = std::min(walk.leave(), walk.enter() + opticalDepth / total);
-    const MetComponent met =
+    const VoxelFibres met =
         chooseComponent(cloth_->yarns, walk.content(), walk.drape(), direction, random.uniform(), law_);
     Collision c;
     c.place = {from.world + t * direction, walk.tet()};
@@ -45,8 +45,8 @@ std::optional<Collision> VolumeMedium::collide(const ScenePoint& from, Memory&, 
     c.optics = *met.optics;
     c.radius_mm = c.optics.fibreRadius_mm;
     c.material = drawMaterial(c.optics, random);
-    c.yarnId = met.yarnId;
-    c.yarn = met.yarn;
+    c.yarnId = met.yarnId();
+    c.yarn = met.span->yarn;
     c.end = walk.content().end;
     c.pick = walk.content().pick;
     return c;
@@ -65,7 +65,7 @@ float VolumeMedium::transmittanceBeyond(float clear_mm, const ScenePoint& from, 
     const float length = walk.leave() - std::max(walk.enter(), clear_mm);
     if (length <= 0) continue;
     ++counts.steps;
-    depth += sumExtinction(cloth_->yarns, walk.content(), walk.drape(), direction).total * length;
+    depth += sumExtinction(cloth_->yarns, walk.content(), walk.drape(), direction) * length;
     if (!(depth < deepest)) return 0;
   }
   return std::exp(-std::min(depth, kExactDepth));

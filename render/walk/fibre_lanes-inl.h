@@ -37,47 +37,28 @@ HWY_INLINE FibreLanes decode(const Component* components, Whole number) {
           shiftedRight<16>(densityAndBox)};
 }
 
-/// The box around those of a voxel's components, of each ray: boxOf().
-class BoxLanes {
- public:
-  HWY_INLINE BoxLanes() {
-    for (int axis = 0; axis < 3; ++axis) {
-      lower_[axis] = Whole(VoxelBox::kParts);
-      upper_[axis] = Whole(0);
-    }
-  }
-  HWY_INLINE void add(Mask holds, Whole code) {
-    const Whole all(VoxelBox::kParts);
-    const bool wholeOnly = !any(holds & ~(code == Whole(VoxelBox().code())));
-    for (int axis = 0; axis < 3; ++axis) {
-      Whole from(0), to = all;
-      if (!wholeOnly) {
-        const Whole a = shiftedRight<3>(code) & Whole(3), b = code & Whole(7);
-        const Mask plain = a < b;
-        from = choose(plain, a, all - a);
-        to = choose(plain, b, all - b);
-        code = shiftedRight<VoxelBox::kAxisBits>(code);
-      }
-      lower_[axis] = choose(holds, least(lower_[axis], from), lower_[axis]);
-      upper_[axis] = choose(holds, most(upper_[axis], to), upper_[axis]);
-    }
-  }
-  /// Where it is not the whole voxel; of what has no components, nothing is told.
-  HWY_INLINE Mask partial() const {
-    const Whole low = lower_[0] | lower_[1] | lower_[2], high = upper_[0] & upper_[1] & upper_[2];
-    return ~((low == Whole(0)) & (high == Whole(VoxelBox::kParts)));
-  }
-  // In widths of the voxel:
-  HWY_INLINE Real lowerCorner(int axis) const { return toReal(lower_[axis]) * Real(1.0f / VoxelBox::kParts); }
-  HWY_INLINE Real upperCorner(int axis) const { return toReal(upper_[axis]) * Real(1.0f / VoxelBox::kParts); }
-  HWY_INLINE Real crowding() const {
-    const Real volume =
-        (upperCorner(0) - lowerCorner(0)) * (upperCorner(1) - lowerCorner(1)) * (upperCorner(2) - lowerCorner(2));
-    return Real(1.0f) / volume;
-  }
+/// Of each ray, a component's box in widths of the voxel (VoxelBox); the whole voxel unless `boxed`.
+struct BoxLanes {
+  Mask boxed;
+  Real lower[3], upper[3];
 
- private:
-  Whole lower_[3], upper_[3];  ///< in sevenths of the voxel
+  HWY_INLINE BoxLanes(Mask holds, Whole code) : boxed(holds & ~(code == Whole(VoxelBox().code()))) {
+    if (!any(boxed)) return;
+    const Whole all(VoxelBox::kParts);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Whole a = shiftedRight<3>(code) & Whole(3), b = code & Whole(7);
+      const Mask plain = a < b;
+      lower[axis] = toReal(choose(plain, a, all - a)) * Real(1.0f / VoxelBox::kParts);
+      upper[axis] = toReal(choose(plain, b, all - b)) * Real(1.0f / VoxelBox::kParts);
+      code = shiftedRight<VoxelBox::kAxisBits>(code);
+    }
+  }
+  /// How many times as dense the fibres are there as spread over the voxel: VoxelBox::crowding(). Only where any ray's
+  /// is boxed.
+  HWY_INLINE Real crowding() const {
+    const Real volume = (upper[0] - lower[0]) * (upper[1] - lower[1]) * (upper[2] - lower[2]);
+    return choose(boxed, Real(1.0f) / choose(boxed, volume, Real(1.0f)), Real(1.0f));
+  }
 };
 
 /// As the cloth lies in the world; `frame` has its columns.

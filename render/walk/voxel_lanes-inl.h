@@ -126,11 +126,6 @@ struct Contents {
     component = choose(holds, choose(first, number, Whole(FoundLanes::kSeveral)), component);
     slot = choose(first, slotOf, slot);
   }
-  /// Nothing where the mask is not set.
-  HWY_INLINE void keepWhere(Mask kept) {
-    whole = orZero(kept, whole);
-    component = choose(kept, component, Whole(FoundLanes::kNone));
-  }
   HWY_INLINE void to(FoundLanes& lanes, size_t lane) const {
     whole.to(&lanes.whole[lane]);
     component.to(&lanes.component[lane]);

@@ -1,8 +1,9 @@
 // How it works. This is the walk of walk_lanes.h. Each ray goes from voxel to voxel: where it crosses the next face is
 // computed anew in each voxel, from where it starts, so that no error adds up (Amanatides and Woo 1987). In a voxel
 // with content the axes of the fibres lie ahead of the light by half their mean chord, so what the light goes along
-// there is shifted, and cut by the ends of the segment (LoomlightMedium says why); it uses up optical depth, until none
-// is left.
+// there is shifted, and cut by the ends of the segment (LoomlightMedium says why). Each component of the voxel has a
+// stretch of the way, where it goes through the box that the component's fibres lie in; there light uses up optical
+// depth, until none is left.
 //
 // This file is compiled once for each instruction set, and which one runs is found out as the program runs. All lanes
 // compute all branches that any of them takes; what a lane does not want is masked out.
@@ -11,6 +12,7 @@
 #define HWY_TARGET_INCLUDE "render/walk/walk_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include "render/walk/stretch_lanes-inl.h"
 #include "render/walk/voxel_lanes-inl.h"
 #include "render/walk/walk_lanes.h"
 #include "render/walk/walk_target.h"
@@ -60,8 +62,7 @@ class Step {
   }
 
  private:
-  static constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
-  static constexpr int kMostEmpty = 2;     // voxels that are crossed while others wait
+  static constexpr int kMostEmpty = 2;  // voxels that are crossed while others wait
 
   HWY_INLINE void findFace() {
     Real face[3];
@@ -79,51 +80,51 @@ class Step {
     leave_ = least(faceAt_, Real::of(&lanes_.tEnd[lane_]));
   }
 
-  /// Over all components of the voxel: VoxelExtinction, of the box that they lie in.
+  /// Over all components of the voxel.
   HWY_INLINE void sumFibres() {
-    total_ = solid_ = kept_ = Real(0.0f);
+    solid_ = Real(0.0f);
     found_ = Contents();
-    box_ = BoxLanes();
+    stretches_.clear(enter_, leave_);
     middle_ = Real(0.5f) * (enter_ + leave_);
+    occupied_ = occupied_ & goes_;
     const auto add = [this](Mask holds, Whole component, const VoxelLanes::Taken& taken)
                          HWY_ATTR { addFibres(holds, component, taken); };
     voxelLanes_.forEachComponent(add);
-    first_ = enter_;
-    last_ = leave_;
-    occupied_ = occupied_ & goes_;
-    const Mask clipped = occupied_ & box_.partial();
-    if (any(clipped)) clip(clipped);
   }
 
   HWY_INLINE void addFibres(Mask holds, Whole component, const VoxelLanes::Taken& taken) {
     const FibreLanes fibres = fibresOf(field_, lanes_, lane_, holds, component);
-    const Real extinction = extinctionOf(field_, holds, fibres, vectorOf(lanes_.direction, lane_), taken.radius);
+    Real extinction = extinctionOf(field_, holds, fibres, vectorOf(lanes_.direction, lane_), taken.radius);
     const Real section = Real(static_cast<float>(kPi)) * taken.radius * taken.radius;
-    const Real solid = orZero(holds, section * fibres.lengthDensity);
+    Real solid = orZero(holds, section * fibres.lengthDensity);
+    Real from = choose(holds, enter_, leave_), to = choose(holds, leave_, enter_);
+    const BoxLanes box(holds, fibres.box);
+    if (any(box.boxed)) {
+      clip(box, from, to);
+      extinction = extinction * box.crowding();
+      solid = solid * box.crowding();
+    }
     found_.add(holds, component, taken.slot, extinction);
-    box_.add(holds, fibres.box);
     solid_ = solid_ + solid;
-    kept_ = kept_ + solid * taken.separation;
-    total_ = total_ + (field_.hotSpot ? extinction * shareLeft(holds, fibres, taken) : extinction);
+    const Real counts = field_.hotSpot ? extinction * shareLeft(holds, fibres, taken) : extinction;
+    stretches_.add(from, to, counts, solid * taken.separation, box.boxed);
   }
 
-  /// Of some rays, their way through the voxel to what of it goes through the box, and the sums to what they are there.
-  HWY_INLINE void clip(Mask clipped) {
-    Real from = enter_, to = leave_;
+  /// Of some rays, their way through the voxel to what of it goes through a box.
+  HWY_INLINE void clip(const BoxLanes& box, Real& from, Real& to) const {
+    Real enter = from, leave = to;
     const Real sizes[3] = {size_.x, size_.y, size_.z};
     for (int axis = 0; axis < 3; ++axis) {
       const Real voxel = toReal(voxel_[axis]), start = Real::of(&lanes_.start_mm[axis][lane_]),
                  inverse = Real::of(&lanes_.inverse[axis][lane_]);
-      const Real a = ((voxel + box_.lowerCorner(axis)) * sizes[axis] - start) * inverse;
-      const Real b = ((voxel + box_.upperCorner(axis)) * sizes[axis] - start) * inverse;
-      from = most(from, least(a, b));
-      to = least(to, most(a, b));
+      const Real a = ((voxel + box.lower[axis]) * sizes[axis] - start) * inverse;
+      const Real b = ((voxel + box.upper[axis]) * sizes[axis] - start) * inverse;
+      enter = most(enter, least(a, b));
+      leave = least(leave, most(a, b));
     }
-    first_ = choose(clipped, from, first_);
-    last_ = choose(clipped, to, last_);
-    occupied_ = occupied_ & (first_ < last_);
-    const Real crowding = choose(clipped, box_.crowding(), Real(1.0f));
-    for (Real* sum : {&total_, &solid_, &kept_, &found_.whole}) *sum = *sum * crowding;
+    const Mask passes = enter < leave;  // else it goes by
+    from = choose(box.boxed, choose(passes, enter, leave_), from);
+    to = choose(box.boxed, choose(passes, leave, enter_), to);
   }
 
   /// What the flights before and the fibre that the last of them came from leave of such fibres.
@@ -144,32 +145,32 @@ class Step {
 
   /// Where the light goes along these fibres, and whether it meets one of them.
   HWY_INLINE void useUpDepth() {
-    const Real lastEnd = Real::of(&lanes_.lastEnd[lane_]), lastFilled = Real::of(&lanes_.lastFilled[lane_]);
-    const Real filledBefore = orZero(first_ - lastEnd < Real(1e-5f), lastFilled);
-    const Real filled = field_.packing ? least(kept_, Real(kFullest)) : Real(0.0f);
-    choose(occupied_, last_, lastEnd).to(&lanes_.lastEnd[lane_]);
-    choose(occupied_, filled, lastFilled).to(&lanes_.lastFilled[lane_]);
-
+    met_ = goes_ & ~goes_;
+    if (!any(occupied_)) return;
+    LightLanes light;
+    light.start = Real::of(&lanes_.lightStart[lane_]);
+    light.end = Real::of(&lanes_.lightEnd[lane_]);
+    light.lastEnd = Real::of(&lanes_.lastEnd[lane_]);
+    light.filledBefore = Real::of(&lanes_.lastFilled[lane_]);
     const Mask some = occupied_ & (Real(0.0f) < found_.whole);
-    const Real ahead = least(Real(0.5f) * solid_ / choose(some, found_.whole, Real(1.0f)), Real(field_.farthest_mm));
-    const Real start = most(first_, Real::of(&lanes_.lightStart[lane_]) + ahead),
-               stop = least(last_, Real::of(&lanes_.lightEnd[lane_]) + ahead);
-    const Mask along = some & (start < stop);
-    const Real length = stop - start;
-    const Real near = least(most(first_ + ahead - start, Real(0.0f)), length);
-    const Real sigmaNear = total_ / (Real(1.0f) - filledBefore), sigma = total_ / (Real(1.0f) - filled);
-    const Real depthNear = sigmaNear * near, depth = depthNear + sigma * (length - near);
+    light.ahead = least(Real(0.5f) * solid_ / choose(some, found_.whole, Real(1.0f)), Real(field_.farthest_mm));
+    const Real depth = stretches_.spend(light, field_.packing);
+
+    const Real last = stretches_.last();
+    const Mask passed = occupied_ & (stretches_.first() < last);
+    choose(passed, last, light.lastEnd).to(&lanes_.lastEnd[lane_]);
+    const Real filled = field_.packing ? stretches_.filledAtLast() : Real(0.0f);
+    choose(passed, filled, light.filledBefore).to(&lanes_.lastFilled[lane_]);
+
+    const Mask along = some & (Real(0.0f) < depth);
     const Real left = Real::of(&lanes_.depth[lane_]);
     met_ = along & (left < depth);
     choose(along & ~met_, left - depth, left).to(&lanes_.depth[lane_]);
     choose(along, Whole::of(&lanes_.steps[lane_]) + Whole(1), Whole::of(&lanes_.steps[lane_])).to(&lanes_.steps[lane_]);
     if (!any(met_)) return;
-    const Real beyond = left - depthNear;
-    const Real one(1.0f);
-    const Real within =
-        choose(beyond < Real(0.0f), left / choose(met_, sigmaNear, one), near + beyond / choose(met_, sigma, one));
-    (start - ahead + within).to(&lanes_.tMet[lane_]);
-    ahead.to(&lanes_.ahead[lane_]);
+    const Mask several = met_ & (found_.component == Whole(FoundLanes::kSeveral));
+    (stretches_.placeOf(left, several) - light.ahead).to(&lanes_.tMet[lane_]);
+    light.ahead.to(&lanes_.ahead[lane_]);
     found_.to(lanes_.found, lane_);
     middle_.to(&lanes_.middle[lane_]);
   }
@@ -200,9 +201,8 @@ class Step {
   // As it finds out:
   Mask through_[3];  ///< the face that it leaves by
   Real faceAt_, leave_, middle_;
-  Real total_, solid_, kept_;
-  BoxLanes box_;       ///< where in the voxel its fibres lie
-  Real first_, last_;  ///< where the ray comes into the box, and leaves it
+  Real solid_;              ///< how much of the boxes is fibre, over all components
+  StretchLanes stretches_;  ///< one of each component
   Contents found_;
   Mask occupied_, met_;
 };
@@ -227,26 +227,26 @@ void lookLanes(const WalkField& field, LookLanes& lanes) {
     const Whole voxel[3] = {Whole::of(&lanes.voxel[0][lane]), Whole::of(&lanes.voxel[1][lane]),
                             Whole::of(&lanes.voxel[2][lane])};
     Contents found;
-    BoxLanes box;
     const auto add = [&](Mask holds, Whole component, const VoxelLanes::Taken& taken) HWY_ATTR {
       const FibreLanes fibres = fibresOf(field, lanes, lane, holds, component);
-      found.add(holds, component, taken.slot,
-                extinctionOf(field, holds, fibres, vectorOf(lanes.direction, lane), taken.radius));
-      box.add(holds, fibres.box);
+      const Vector direction = vectorOf(lanes.direction, lane);
+      const BoxLanes box(holds, fibres.box);
+      Mask there = holds;
+      Real crowding(1.0f);
+      if (any(box.boxed)) {
+        Mask inBox = holds;
+        for (int axis = 0; axis < 3; ++axis) {
+          const Real place = Real::of(&lanes.inVoxel[axis][lane]);
+          inBox = inBox & (box.lower[axis] <= place) & (place < box.upper[axis]);
+        }
+        there = inBox | (holds & ~box.boxed);
+        crowding = box.crowding();
+      }
+      found.add(there, component, taken.slot, crowding * extinctionOf(field, there, fibres, direction, taken.radius));
     };
     VoxelLanes voxels(field, lanes.cell, lane);
     voxels.open(voxel, wanted);
     voxels.forEachComponent(add);
-    const Mask clipped = wanted & box.partial();
-    if (any(clipped)) {
-      Mask there = clipped;
-      for (int axis = 0; axis < 3; ++axis) {
-        const Real place = Real::of(&lanes.inVoxel[axis][lane]);
-        there = there & (box.lowerCorner(axis) <= place) & (place < box.upperCorner(axis));
-      }
-      found.keepWhere(there | ~clipped);
-      found.whole = found.whole * choose(there, box.crowding(), Real(1.0f));
-    }
     found.to(lanes.found, lane);
   }
 }

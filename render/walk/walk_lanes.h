@@ -68,7 +68,7 @@ struct CellLanes {
 
 /// Which fibres a voxel of each ray holds.
 struct FoundLanes {
-  LaneFloats whole;    ///< extinction in the box that they lie in, 1/mm
+  LaneFloats whole;    ///< extinction of all, each component in the box that it lies in, 1/mm
   LaneInts component;  ///< the number of the voxel's component, if it has one alone; kNone or kSeveral if not
   LaneInts slot;       ///< whose brick that component is in
   static constexpr int32_t kNone = -1, kSeveral = -2;

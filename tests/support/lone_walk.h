@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "render/media/lane_walker.h"
 #include "render/media/voxel_extinction.h"
@@ -44,17 +45,18 @@ struct CorrelatedShare {
   glm::vec3 middle;
   glm::ivec3 voxel;
 
-  float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
-                   const VoxelContent::YarnSpan& span) const {
+  float operator()(const VoxelFibres& component) const {
     if (!unknown) return 1;
-    return unknown->share(fibres, optics.fibreRadius_mm, optics.packed, {span.system, span.index}, middle, voxel);
+    const YarnOptics& optics = *component.optics;
+    return unknown->share(component.fibres, optics.fibreRadius_mm, optics.packed, component.yarnId(), middle, voxel);
   }
 };
 
-/// A ray on its way through the stretches along which light can meet fibres whose axes lie in one voxel, in order.
-class RayIntervals {
+/// A ray on its way through voxels with content, in order. In each it has a stretch for each component: where the axes
+/// are that it goes by.
+class VoxelsOnRay {
  public:
-  RayIntervals(const TraceData& cloth, const LaneWalker::Rules& rules, const DepthRay& ray)
+  VoxelsOnRay(const TraceData& cloth, const LaneWalker::Rules& rules, const DepthRay& ray)
       : cloth_(cloth),
         rules_(rules),
         known_(*ray.known),
@@ -63,30 +65,37 @@ class RayIntervals {
 
   /// False where nothing is left.
   bool next() {
-    for (;;) {
-      while (!march_ || !march_->next())
-        if (!enterSegment()) return false;
-      if (enterVoxel()) return true;
-    }
+    while (!march_ || !march_->next())
+      if (!enterSegment()) return false;
+    enterVoxel();
+    return true;
   }
 
-  // Of the stretch where it stands, until it goes on. It is [t, t + length] from the start of the flight. Up to t +
-  // near the light is still in the voxel before, or in none, and the gaps are as wide as there.
-  float t = 0, length = 0, near = 0;
-  float sigmaNear = 0, sigma = 0;  ///< 1/mm
-  float ahead = 0;                 ///< of the light, the axes: c
-  VoxelExtinction extinction;
-
-  float depthNear() const { return sigmaNear * near; }
-  float depth() const { return depthNear() + sigma * (length - near); }
+  // Of the voxel where it stands, until it goes on:
+  double ahead = 0;  ///< of the light, the axes: c
   const VoxelContent& content() const { return march_->content(); }
   const ShellSegment& segment() const { return shell_.segment(); }
-  CorrelatedShare share() const {
-    const glm::vec3 middle = segment().origin + 0.5f * (march_->enter() + march_->leave()) * direction_;
-    return {rules_.hotSpot ? &*unknown_ : nullptr, middle, content().voxel};
+
+  /// The depth that light has used up in the voxel when the axes that it goes by are at u.
+  double depthTo(double u) const {
+    double depth = 0;
+    for (const Stretch& s : stretches_) {
+      const double start = std::max(s.enter, segment().tEnter + ahead);
+      const double stop = std::min({s.leave, segment().tLeave + ahead, u});
+      // Until the light is in the stretch itself, gaps are as wide as in the voxel before.
+      const double turn = std::clamp(s.enter + ahead, start, std::max(start, stop));
+      depth += s.sigma / (1 - s.filledBefore) * (turn - start) + s.sigma / (1 - s.filled) * std::max(0.0, stop - turn);
+    }
+    return depth;
   }
+  double enter() const { return march_->enter(); }
+  double leave() const { return march_->leave(); }
 
  private:
+  struct Stretch {
+    double enter, leave, sigma, kept, filled = 0, filledBefore = 0;
+  };
+
   bool enterSegment() {
     if (!shell_.next()) return false;
     const ShellSegment& s = segment();
@@ -98,46 +107,50 @@ class RayIntervals {
     return true;
   }
 
-  /// The axes lie ahead of the light: u is where they are, t where the light is. False where none is in the voxel while
-  /// the light is in the segment.
-  bool enterVoxel() {
-    constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
-    const ShellSegment& s = segment();
-    float uEnter = march_->enter(), uLeave = march_->leave();
-    const VoxelBox box = boxOf(content());
-    clip(box, uEnter, uLeave);
-    if (!(uEnter < uLeave)) return false;
-    const float filledBefore = uEnter - last_ < 1e-5f ? filled_ : 0.0f;
-    extinction = sumExtinction(cloth_.yarns, content(), s.drape, direction_, share());
-    for (float* sum : {&extinction.total, &extinction.whole, &extinction.solid, &extinction.kept})
-      *sum *= box.crowding();
-    last_ = uLeave;
-    filled_ = rules_.packing ? std::min(extinction.kept, kFullest) : 0.0f;
-    ahead = std::min(0.5f * extinction.solid / extinction.whole, rules_.farthest_mm);
-    const float start = std::max(uEnter, s.tEnter + ahead), stop = std::min(uLeave, s.tLeave + ahead);
-    if (!(start < stop)) return false;
-    t = s.passed + start - ahead;
-    length = stop - start;
-    near = std::clamp(uEnter + ahead - start, 0.0f, length);
-    sigmaNear = extinction.total / (1 - filledBefore);
-    sigma = extinction.total / (1 - filled_);
-    return true;
+  void enterVoxel() {
+    constexpr double kFullest = 0.9;  // of space; no gap is so narrow that light could not be in it
+    const glm::vec3 middle = segment().origin + 0.5f * (march_->enter() + march_->leave()) * direction_;
+    const CorrelatedShare share{rules_.hotSpot ? &*unknown_ : nullptr, middle, content().voxel};
+    stretches_.clear();
+    double whole = 0, solid = 0, kept = 0, first = leave(), last = enter();
+    forEachComponent(cloth_.yarns, content(), segment().drape, [&](const VoxelFibres& component) {
+      const double r = component.optics->fibreRadius_mm, crowding = component.box.crowding();
+      const double inside = kPi * r * r * component.fibres.lengthDensity * crowding;
+      const double sigma = extinction(component.fibres, *component.optics, direction_) * crowding;
+      whole += sigma;
+      solid += inside;
+      Stretch stretch{enter(), leave(), sigma * share(component), inside * component.optics->separation};
+      if (!clip(component.box, stretch)) return;
+      kept += stretch.kept * (stretch.leave - stretch.enter);
+      first = std::min(first, stretch.enter);
+      last = std::max(last, stretch.leave);
+      stretches_.push_back(stretch);
+    });
+    ahead = std::min(0.5 * solid / whole, static_cast<double>(rules_.farthest_mm));
+    if (stretches_.empty()) return;
+    double filledAtEnd = 0;
+    for (Stretch& s : stretches_) {
+      if (rules_.packing) s.filled = std::min(std::max(s.kept, kept / (last - first)), kFullest);
+      if (s.enter - last_ < 1e-5) s.filledBefore = filled_;
+      if (rules_.packing && last - s.leave < 1e-5) filledAtEnd += s.kept;
+    }
+    last_ = last;
+    filled_ = std::min(filledAtEnd, kFullest);
   }
 
-  /// To what of its way through the voxel goes through a box there.
-  void clip(VoxelBox box, float& uEnter, float& uLeave) const {
-    double enter = uEnter, leave = uLeave;
+  /// To what of its way through the voxel goes through a box there; false where nothing does.
+  bool clip(VoxelBox box, Stretch& stretch) const {
+    if (box == VoxelBox()) return stretch.enter < stretch.leave;
     for (int axis = 0; axis < 3; ++axis) {
       const double size = cloth_.volume->grid().size_mm[axis], way = segment().clothDirection[axis];
       if (way == 0) continue;
       const double corner = cloth_.volume->lower_mm()[axis] + content().voxel[axis] * size;
       const double a = (corner + box.lowerCorner()[axis] * size - segment().clothOrigin[axis]) / way;
       const double b = (corner + box.upperCorner()[axis] * size - segment().clothOrigin[axis]) / way;
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
+      stretch.enter = std::max(stretch.enter, std::min(a, b));
+      stretch.leave = std::min(stretch.leave, std::max(a, b));
     }
-    uEnter = static_cast<float>(enter);
-    uLeave = static_cast<float>(leave);
+    return stretch.enter < stretch.leave;
   }
 
   const TraceData& cloth_;
@@ -147,7 +160,8 @@ class RayIntervals {
   ShellWalk shell_;
   std::optional<CorrelationState> unknown_;  ///< of the segment
   std::optional<ClothVolume::March> march_;
-  float last_ = -1, filled_ = 0;  ///< where the voxel before ended, and how much of it is fibre
+  std::vector<Stretch> stretches_;
+  double last_ = -1, filled_ = 0;  ///< where the fibres before ended, and how much of the space there is fibre
 };
 
 /// How a ray ends.
@@ -160,21 +174,24 @@ struct WalkEnd {
 
 inline WalkEnd loneWalk(const TraceData& cloth, const LaneWalker::Rules& rules, const DepthRay& ray) {
   WalkEnd end;
-  end.depth = ray.depth;
-  for (RayIntervals interval(cloth, rules, ray); interval.next();) {
-    const float depth = interval.depth();
-    if (end.depth >= depth) {
-      end.depth -= depth;
+  double left = ray.depth;
+  for (VoxelsOnRay voxel(cloth, rules, ray); voxel.next();) {
+    double low = voxel.enter(), high = voxel.leave();
+    const double depth = voxel.depthTo(high);
+    if (left >= depth) {
+      left -= depth;
       continue;
     }
-    const float beyondNear = end.depth - interval.depthNear();
+    for (int i = 0; i < 60; ++i) {  // halves the way down to a rounding
+      const double middle = 0.5 * (low + high);
+      (voxel.depthTo(middle) <= left ? low : high) = middle;
+    }
     end.met = true;
-    end.t_mm =
-        interval.t + (beyondNear < 0 ? end.depth / interval.sigmaNear : interval.near + beyondNear / interval.sigma);
-    end.voxel = interval.content().voxel;
-    end.depth = 0;
+    end.t_mm = static_cast<float>(voxel.segment().passed + low - voxel.ahead);
+    end.voxel = voxel.content().voxel;
     return end;
   }
+  end.depth = static_cast<float>(left);
   return end;
 }
 

@@ -26,6 +26,10 @@ class VoxelBox {
   /// In widths of the voxel.
   glm::vec3 lowerCorner() const { return (1.0f / kParts) * glm::vec3(lower()); }
   glm::vec3 upperCorner() const { return (1.0f / kParts) * glm::vec3(upper()); }
+  /// Of a place in widths of the voxel.
+  bool contains(glm::vec3 inVoxel) const {
+    return glm::all(glm::lessThanEqual(lowerCorner(), inVoxel)) && glm::all(glm::lessThan(inVoxel, upperCorner()));
+  }
   /// How many times the density in the box is that of the fibres spread over the voxel.
   float crowding() const {
     const glm::vec3 size = upperCorner() - lowerCorner();

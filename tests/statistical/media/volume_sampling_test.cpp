@@ -80,7 +80,7 @@ TEST(FreeFlights, FitTheExtinctionOfTheirWay) {
     while (walk.next()) {
       const double before = depths.empty() ? 0 : depths.back();
       ends.push_back(walk.leave());
-      depths.push_back(before + sumExtinction(scene->cloth->yarns, walk.content(), walk.drape(), direction).total *
+      depths.push_back(before + sumExtinction(scene->cloth->yarns, walk.content(), walk.drape(), direction) *
                                     (walk.leave() - walk.enter()));
     }
     ASSERT_GT(depths.size(), 10u);

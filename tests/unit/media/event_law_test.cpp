@@ -29,7 +29,7 @@ struct CrossedVoxel {
     constexpr int kDraws = 20000;
     int hits = 0;
     for (int i = 0; i < kDraws; ++i)
-      hits += chooseComponent(yarns, both, {}, d, (i + 0.5f) / kDraws, law).yarnId.system == System::warp;
+      hits += chooseComponent(yarns, both, {}, d, (i + 0.5f) / kDraws, law).span->system == System::warp;
     return static_cast<double>(hits) / kDraws;
   }
 };
@@ -52,25 +52,25 @@ TEST(EventLaw, OfTheReportIgnoresTheAngle) {
 
 TEST(EventLaw, ChoosesOnlyAmongWhatCounts) {
   const CrossedVoxel voxel;
-  const auto weftAlone = [](const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan& span) {
-    return span.system == System::weft ? 0.25f : 0.0f;
+  const auto weftAlone = [](const VoxelFibres& component) {
+    return component.span->system == System::weft ? 0.25f : 0.0f;
   };
   const VoxelContent both = CrossedVoxel::of({voxel.warpSpan(), voxel.weftSpan()});
   const glm::vec3 down(0, 0, -1);
   for (const float u : {0.0f, 0.5f, 0.999f}) {
-    const MetComponent met = chooseComponent(voxel.yarns, both, {}, down, u, EventLaw::projected, weftAlone);
-    EXPECT_EQ(met.yarnId.system, System::weft);
+    const VoxelFibres met = chooseComponent(voxel.yarns, both, {}, down, u, EventLaw::projected, weftAlone);
+    EXPECT_EQ(met.span->system, System::weft);
     EXPECT_EQ(met.fibres.direction, voxel.weft.decode().direction);
   }
-  const VoxelExtinction sum = sumExtinction(voxel.yarns, both, {}, down, weftAlone);
-  EXPECT_NEAR(sum.total, 0.125f * sum.whole, 1e-5f * sum.whole);
+  const float whole = sumExtinction(voxel.yarns, both, {}, down);
+  EXPECT_NEAR(sumExtinction(voxel.yarns, both, {}, down, weftAlone), 0.125f * whole, 1e-5f * whole);
 }
 
 TEST(VoxelExtinction, IsProjectedFibreArea) {
   const CrossedVoxel voxel;
   const glm::vec3 d = glm::normalize(glm::vec3(0.3f, 0.5f, -0.8f));
   const double expected = 2 * 0.006 * 1000 * std::sqrt(1 - d.y * d.y);
-  EXPECT_NEAR(sumExtinction(voxel.yarns, CrossedVoxel::of({voxel.warpSpan()}), {}, d).total, expected, 0.01 * expected);
+  EXPECT_NEAR(sumExtinction(voxel.yarns, CrossedVoxel::of({voxel.warpSpan()}), {}, d), expected, 0.01 * expected);
 }
 
 TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
@@ -84,8 +84,7 @@ TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
   const auto change = [&](const VoxelContent::YarnSpan& span) {
     const VoxelContent content = CrossedVoxel::of({span});
     const glm::vec3 down(0, 0, -1);
-    return sumExtinction(voxel.yarns, content, stretched, down).total /
-           sumExtinction(voxel.yarns, content, {}, down).total;
+    return sumExtinction(voxel.yarns, content, stretched, down) / sumExtinction(voxel.yarns, content, {}, down);
   };
   EXPECT_NEAR(change(voxel.warpSpan()), 1.0, 1e-4);
   // The weft keeps its length and is spread over twice the room.

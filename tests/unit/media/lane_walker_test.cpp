@@ -181,10 +181,23 @@ struct FoundByPaths {
   Ends ends;
 };
 
-/// The extinction of a voxel's fibres, spread over the box that they lie in.
-float wholeInBox(const TraceData& cloth, const VoxelContent& content, const FoundFibres& found, glm::vec3 direction) {
-  return boxOf(content).crowding() * sumExtinction(cloth.yarns, content, found.drape, direction).whole;
+/// The extinction of all fibres of a voxel, each component's in the box that they lie in.
+float wholeInBoxes(const TraceData& cloth, const VoxelContent& content, const FoundFibres& found, glm::vec3 direction) {
+  const auto crowding = [](const VoxelFibres& component) { return component.box.crowding(); };
+  return sumExtinction(cloth.yarns, content, found.drape, direction, crowding);
 }
+
+/// How many components of a voxel are at a place in it, and how many fill a part of it alone.
+struct ComponentsAt {
+  size_t there = 0, boxed = 0;
+  ComponentsAt(const VoxelContent& content, glm::vec3 inVoxel) {
+    for (int span = 0; span < content.count; ++span)
+      for (const Component& component : content.spans[span].components) {
+        there += component.box().contains(inVoxel) ? 1 : 0;
+        boxed += component.box() != VoxelBox() ? 1 : 0;
+      }
+  }
+};
 
 // A ray finds what the voxel holds, within what the lanes' table of I(alpha, s) is off.
 TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
@@ -197,9 +210,9 @@ TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
   for (const FoundFibres& found : ends.found()) {
     VoxelContent content;
     walker.cells().bricksIn(found.cell).content(*cloth.volume, found.voxel, content);
-    const float whole = wholeInBox(cloth, content, found, all.rays[found.ray].direction);
+    const float whole = wholeInBoxes(cloth, content, found, all.rays[found.ray].direction);
     EXPECT_NEAR(found.whole, whole, 1e-4f * whole);
-    boxes += boxOf(content) != VoxelBox() ? 1 : 0;
+    boxes += ComponentsAt(content, glm::vec3(0.5f)).boxed;
     several += hasSeveralComponents(content) ? 1 : 0;
     if (hasSeveralComponents(content)) {
       EXPECT_EQ(found.component, FoundLanes::kSeveral);
@@ -214,7 +227,15 @@ TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
   EXPECT_EQ(boxes > 0, GetParam().fibresPerPly > 0);
 }
 
-// Who looks at a place in the box finds what rays do, on every instruction set, and nothing beside it.
+/// Whether a voxel's content has that component, of that yarn.
+bool isAmong(const VoxelContent& content, const Component* wanted, YarnId yarn) {
+  for (int span = 0; span < content.count; ++span)
+    for (const Component& component : content.spans[span].components)
+      if (&component == wanted) return YarnId{content.spans[span].system, content.spans[span].index} == yarn;
+  return false;
+}
+
+// Who looks at a place finds the components in whose boxes it is, on every instruction set.
 TEST_P(LaneWalks, LooksFindWhatIsAtAPlace) {
   const auto scene = this->scene();
   const TraceData& cloth = *scene->cloth;
@@ -247,19 +268,21 @@ TEST_P(LaneWalks, LooksFindWhatIsAtAPlace) {
       for (size_t lane = 0; lane < kWalkLanes; ++lane) {
         VoxelContent content;
         walker.cells().bricksIn(foundIn(lane).cell).content(*cloth.volume, foundIn(lane).voxel, content);
-        const glm::vec3 lower = boxOf(content).lowerCorner(), upper = boxOf(content).upperCorner();
-        if (glm::any(glm::lessThan(places[lane], lower)) || glm::any(glm::greaterThanEqual(places[lane], upper))) {
-          EXPECT_EQ(looks.found.whole[lane], 0);
-          EXPECT_EQ(looks.found.component[lane], FoundLanes::kNone);
-          ++nothing;
-          continue;
+        const size_t there = ComponentsAt(content, places[lane]).there;
+        const float whole = sumExtinction(cloth.yarns, content, foundIn(lane).drape,
+                                          all.rays[foundIn(lane).ray].direction, ExtinctionAt{places[lane]});
+        EXPECT_NEAR(looks.found.whole[lane], whole, 1e-4f * whole);
+        const int32_t component = looks.found.component[lane];
+        if (there == 1) {
+          const auto slot = static_cast<size_t>(looks.found.slot[lane]);
+          const auto& brick = walker.cells().bricksIn(foundIn(lane).cell).bricks[slot];
+          ASSERT_GE(component, 0);
+          EXPECT_TRUE(cloth.volume->components()[component].box().contains(places[lane]));
+          EXPECT_TRUE(isAmong(content, cloth.volume->components() + component, {brick.system, brick.index}));
+        } else {
+          EXPECT_EQ(component, there == 0 ? FoundLanes::kNone : FoundLanes::kSeveral);
         }
-        EXPECT_EQ(looks.found.whole[lane], foundIn(lane).whole);
-        EXPECT_EQ(looks.found.component[lane], foundIn(lane).component);
-        if (foundIn(lane).component >= 0) {
-          EXPECT_EQ(looks.found.slot[lane], foundIn(lane).slot);
-        }
-        ++found;
+        (there > 0 ? found : nothing) += 1;
       }
     }
     EXPECT_GT(found, 100u);
