@@ -93,7 +93,7 @@ class LaneWalker {
   };
   LaneWalker(const TraceData& cloth, const Rules& rules);
 
-  /// All of them to their ends, in any order. Returns how many stretches of voxels with content they went along.
+  /// All of them to their ends, in any order. Returns in how many voxels with content they used up depth.
   uint64_t walk(std::span<const DepthRay> rays, DepthRayEnds& ends);
 
   const WalkField& field() const { return field_; }

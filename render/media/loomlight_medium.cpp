@@ -63,7 +63,7 @@ Collision LoomlightMedium::meetBefore(const ScenePoint& place, glm::vec3 directi
   c.optics = cloth_->yarns[static_cast<int>(fibre.yarnId.system)][fibre.yarn];
   c.radius_mm = fibre.radius_mm;
   c.material = drawMaterial(c.optics, random);
-  memory.howMet.inOneVoxel = false;
+  memory.howMet.amongAll = false;
   return c;
 }
 
@@ -82,7 +82,7 @@ size_t LoomlightMedium::offsetsAcross(const Collision& met, const Memory& memory
                                       Random& random) const {
   offsets[0] = met.offset;
   const HowMet& meeting = memory.howMet;
-  if (!meeting.inOneVoxel) return 1;
+  if (!meeting.amongAll) return 1;
   if (!ingredients_.finiteRadius) return evenOffsets(met.offset, offsets);
   const OffsetAcross<float> offset(numbersOf(met.incoming), numbersOf(met.tangent));
   RandomLanes<float> numbers(random);

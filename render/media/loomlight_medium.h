@@ -47,9 +47,9 @@ class LoomlightMedium final : public Medium {
   explicit LoomlightMedium(std::shared_ptr<const TraceData> cloth) : LoomlightMedium(std::move(cloth), Ingredients{}) {}
 
   /// How the last fibre was met: from which two antithetic points of the hemisphere about the ray its axis was chosen
-  /// (above), where both led to where all the components are of the voxel that the walk had found.
+  /// (above), and whether both led to the part of the found voxel in which all of its components are.
   struct HowMet {
-    bool inOneVoxel = false;
+    bool amongAll = false;
     glm::vec3 points[2]{};  ///< the one that was taken first; along the axes of FibreFrame about the ray, and along it
     glm::vec3 lower_mm{0}, upper_mm{0};  ///< of where all of them are, from the light, in cloth space
     float ahead_mm = 0;                  ///< c

@@ -14,8 +14,8 @@
 // the voxels there how likely each of the two is: where that is not the part of the found voxel in which all of its
 // components are, render/walk looks there, for all meetings at once. Then a component is drawn of those at the point
 // that was taken, a tangent of it, and how the fibre lies across the ray follows from the point. Whatever changes the
-// extinction in a voxel, such as a way that is known to be free, changes the walk and these draws alike, or a white
-// furnace would not stay white.
+// extinction in a voxel, such as a way that is known to be free, changes the walk and the choice of a component alike,
+// or a white furnace would not stay white; which of the two points is taken hangs on all fibres, known or not.
 //
 // Most voxels hold one component, which the walk names; where there are several, one ray after the other chooses.
 namespace loomlight {
@@ -93,9 +93,8 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
     lookForAxes(meetings, direction, random);
   } else {
     offset = 2 * random.uniform() - 1;
-    axis_ = columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].found->inCell_mm; });
-    takenLook_ = broadcast<Lanes>(-1);
-    inOneVoxel_ = random.inUse();
+    takenLook_ = broadcast<Lanes>(kNone);
+    amongAll_ = random.inUse();
   }
   Fibres fibres;
   for (size_t lane = 0; lane < count; ++lane) {
@@ -123,7 +122,7 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
     c.radius_mm = c.optics.fibreRadius_mm;
     c.material = drawMaterial(c.optics, *meeting.random);
     LoomlightMedium::HowMet& how = meeting.memory->howMet;
-    how.inOneVoxel = inOneVoxel_[lane] != 0;
+    how.amongAll = amongAll_[lane] != 0;
     how.points[0] = vectorOf(points_[0]);
     how.points[1] = vectorOf(points_[1]);
     const glm::vec3 size = cloth_.volume->grid().size_mm, voxel(meeting.found->voxel);
@@ -147,8 +146,8 @@ void LoomlightMeetings::lookForAxes(std::span<const Meeting> meetings, const Vec
   const Vectors axes[2] = {axisAfter(meetings, shift(w.first)), axisAfter(meetings, shift(w.second))};
   looks_->wanted.fill(0);
   const Mask firstStays = lookThere(meetings, 0, axes[0]), secondStays = lookThere(meetings, 1, axes[1]);
-  inOneVoxel_ = firstStays & secondStays;
-  if (any(~inOneVoxel_)) look(walker_.field(), *looks_);
+  amongAll_ = firstStays & secondStays;
+  if (any(~amongAll_)) look(walker_.field(), *looks_);
 
   const Lanes found = columnOf<Lanes>(count, [&](size_t i) { return meetings[i].found->whole; });
   Lanes elsewhere[2];
@@ -163,22 +162,13 @@ void LoomlightMeetings::lookForAxes(std::span<const Meeting> meetings, const Vec
                 takesFirst ? w.first.z : w.second.z};
   points_[1] = {takesFirst ? w.second.x : w.first.x, takesFirst ? w.second.y : w.first.y,
                 takesFirst ? w.second.z : w.first.z};
-  const Vectors between = axisAfter(meetings, ahead * direction);
-  const Mask nowhere = first + second <= 0;
-  axis_ = {nowhere      ? between.x
-           : takesFirst ? axes[0].x
-                        : axes[1].x,
-           nowhere      ? between.y
-           : takesFirst ? axes[0].y
-                        : axes[1].y,
-           nowhere      ? between.z
-           : takesFirst ? axes[0].z
-                        : axes[1].z};
-  const Lanes own = broadcast<Lanes>(-1);
+  const Lanes none = broadcast<Lanes>(kNone), among = broadcast<Lanes>(kAmongAll);
   const Lanes lanes = {0, 1, 2, 3, 4, 5, 6, 7};
-  takenLook_ = takesFirst ? (elsewhere[0] > 0 ? lanes : own) : (elsewhere[1] > 0 ? lanes + kMost : own);
+  const Lanes firstLook = elsewhere[0] > 0 ? lanes : none, secondLook = elsewhere[1] > 0 ? lanes + kMost : none;
+  takenLook_ = takesFirst ? (firstStays ? among : firstLook) : (secondStays ? among : secondLook);
 }
 
+/// Where in the found voxel all of its components are.
 LoomlightMeetings::VoxelPart LoomlightMeetings::commonPart(const Meeting& meeting) {
   const FoundFibres& found = *meeting.found;
   if (found.component >= 0) {
@@ -210,8 +200,8 @@ LoomlightMeetings::Vectors LoomlightMeetings::axisAfter(std::span<const Meeting>
   return columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].found->inCell_mm; }) + inCloth;
 }
 
-/// Of one of the points of each meeting: for which the axis is where all the fibres are that were found. Elsewhere a
-/// look is wanted, but for the rest of a voxel that has one component alone, where nothing is.
+/// Which axes, of one point of each meeting, are in the common part. The others want a look, but for the rest of a
+/// voxel of one component alone, where nothing is.
 LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> meetings, size_t point,
                                                      const Vectors& axis) {
   const size_t count = meetings.size();
@@ -260,22 +250,25 @@ void LoomlightMeetings::wantLook(const Meeting& meeting, size_t lane, glm::vec3 
 void LoomlightMeetings::choose(const Meeting& meeting, size_t lane, Fibres& fibres) {
   const FoundFibres& found = *meeting.found;
   const auto look = static_cast<int>(takenLook_[lane]);
-  if (look < 0) {
-    const glm::vec3 axis(axis_.x[lane], axis_.y[lane], axis_.z[lane]);
-    return chooseFound(meeting, lane, axis / cloth_.volume->grid().size_mm - glm::vec3(found.voxel), fibres);
+  if (look == kAmongAll) return chooseFound(meeting, lane, 0.5f * (common_[lane].lower + common_[lane].upper), fibres);
+  if (look == kNone) {
+    const glm::vec3 ahead = medium_.toClothOf(found.tet) * (found.ahead_mm * meeting.direction);
+    const glm::vec3 inVoxel = (found.inCell_mm + ahead) / cloth_.volume->grid().size_mm - glm::vec3(found.voxel);
+    return chooseFound(meeting, lane, inVoxel, fibres);
   }
   const auto i = static_cast<size_t>(look);
   const glm::ivec3 voxel(looks_->voxel[0][i], looks_->voxel[1][i], looks_->voxel[2][i]);
   const glm::vec3 inVoxel(looks_->inVoxel[0][i], looks_->inVoxel[1][i], looks_->inVoxel[2][i]);
-  if (cells_[i] == found.cell && voxel == found.voxel) return chooseFound(meeting, lane, inVoxel, fibres);
   const FoundLanes& there = looks_->found;
   if (there.component[i] >= 0) return take(meeting, lane, cells_[i], there.component[i], there.slot[i], fibres);
+  if (cells_[i] == found.cell && voxel == found.voxel) return chooseFound(meeting, lane, inVoxel, fibres);
   VoxelContent content;
   walker_.cells().bricksIn(cells_[i]).content(*cloth_.volume, voxel, content);
   chooseAmong(meeting, lane, content, fibres, ExtinctionAt{inVoxel});
 }
 
-/// In the voxel that the walk has found, at a place in widths of it.
+/// In the voxel that the walk has found, at a place in widths of it. Where flights of before leave nothing of all that
+/// is there, it is one of them all the same.
 void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, glm::vec3 inVoxel, Fibres& fibres) {
   const FoundFibres& found = *meeting.found;
   if (found.component >= 0) return take(meeting, lane, found.cell, found.component, found.slot, fibres);
@@ -284,10 +277,9 @@ void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, glm::ve
   const ExtinctionAt there{inVoxel};
   if (!medium_.ingredients().hotSpot) return chooseAmong(meeting, lane, content, fibres, there);
   const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), medium_.toClothOf(found.tet));
-  chooseAmong(meeting, lane, content, fibres, [&](const VoxelFibres& component) {
-    const float denser = there(component);
-    return denser > 0 ? denser * share(component) : 0.0f;
-  });
+  constexpr float kLeast = 1e-6f;
+  chooseAmong(meeting, lane, content, fibres,
+              [&](const VoxelFibres& component) { return there(component) * std::max(kLeast, share(component)); });
 }
 
 template <class Share>

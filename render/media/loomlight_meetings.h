@@ -58,11 +58,12 @@ class LoomlightMeetings {
   std::unique_ptr<LookLanes> looks_;            ///< of each meeting one from its first point, then one from its second
   std::array<glm::ivec3, kWalkLanes> cells_{};  ///< in which they look
   // Of one call:
+  static constexpr int kAmongAll = -1;     ///< without a look: the axis is where all the components are that were found
+  static constexpr int kNone = -2;         ///< neither point led to any fibres: the axis is as far ahead as in the mean
   std::array<VoxelPart, kMost> common_{};  ///< where in the voxels that were found all their components are
   std::array<Vectors, 2> points_{};        ///< the two that axes were looked for by, the one that was taken first
-  Vectors axis_{};                         ///< where it is, cloth space, from the corner of the light's cell
-  Lanes takenLook_{};                      ///< the look that found the axis; -1: it is in the voxel that was found
-  Mask inOneVoxel_{};                      ///< both points led to where all the components are that were found
+  Lanes takenLook_{};                      ///< the look that found the axis, or kAmongAll, or kNone
+  Mask amongAll_{};                        ///< both points led to where all the components are that were found
 };
 
 }  // namespace loomlight

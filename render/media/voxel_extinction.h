@@ -37,12 +37,12 @@ inline float extinction(const FibreDistribution& fibres, const YarnOptics& optic
          TangentSpread::table().projectedLengthOfSquare(sineSquared, fibres.spread);
 }
 
-/// A component of a voxel, and whose it is.
+/// A component of a voxel, and whose it is; the content must outlive it.
 struct VoxelFibres {
   FibreDistribution fibres;  ///< in the world, spread over the voxel
   VoxelBox box;              ///< where in the voxel they lie
-  const YarnOptics* optics;
-  const VoxelContent::YarnSpan* span;
+  const YarnOptics* optics = nullptr;
+  const VoxelContent::YarnSpan* span = nullptr;
 
   YarnId yarnId() const { return {span->system, span->index}; }
 };

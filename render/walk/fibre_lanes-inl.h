@@ -57,7 +57,7 @@ struct BoxLanes {
   /// is boxed.
   HWY_INLINE Real crowding() const {
     const Real volume = (upper[0] - lower[0]) * (upper[1] - lower[1]) * (upper[2] - lower[2]);
-    return choose(boxed, Real(1.0f) / choose(boxed, volume, Real(1.0f)), Real(1.0f));
+    return Real(1.0f) / choose(boxed, volume, Real(1.0f));
   }
 };
 

@@ -7,7 +7,7 @@
 #define LOOMLIGHT_STRETCH_LANES_INL_H_
 #endif
 
-#include "render/walk/fibre_lanes-inl.h"
+#include "render/walk/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace loomlight::HWY_NAMESPACE {
@@ -58,15 +58,18 @@ class StretchLanes {
   /// How much of the space is fibre where the last of them ends.
   HWY_INLINE Real filledAtLast() const {
     Real filled(0.0f);
-    for (int i = 0; i < count_; ++i)
-      filled = filled + orZero(last_ - stretches_[i].to < Real(kTouching), stretches_[i].kept);
+    for (int i = 0; i < count_; ++i) {
+      const Stretch& s = stretches_[i];
+      filled = filled + orZero((s.from < s.to) & (last_ - s.to < Real(kTouching)), s.kept);
+    }
     return least(filled, Real(kFullest));
   }
 
   /// Finds out what depth light uses up along each stretch, and returns the sum. Up to `near` of a stretch the light is
-  /// still in the voxel before, or in none, and the gaps are as wide as there. Where the boxes of several components
-  /// overlap, their fibres fill the space together: the mean over all that they take up says how much, or the fibres of
-  /// the one where these alone are more.
+  /// not in it yet: gaps count as in the voxel before where that touches the stretch, and else as if nothing were
+  /// there, even among other fibres of this voxel. Where the boxes of several components overlap, their fibres fill the
+  /// space together: the mean over all that they take up says how much, or the fibres of the one where these alone are
+  /// more.
   HWY_INLINE Real spend(const LightLanes& light, bool packing) {
     const Real one(1.0f), zero(0.0f);
     const Mask some = first_ < last_;

@@ -86,7 +86,6 @@ class Step {
     found_ = Contents();
     stretches_.clear(enter_, leave_);
     middle_ = Real(0.5f) * (enter_ + leave_);
-    occupied_ = occupied_ & goes_;
     const auto add = [this](Mask holds, Whole component, const VoxelLanes::Taken& taken)
                          HWY_ATTR { addFibres(holds, component, taken); };
     voxelLanes_.forEachComponent(add);
@@ -106,7 +105,7 @@ class Step {
     }
     found_.add(holds, component, taken.slot, extinction);
     solid_ = solid_ + solid;
-    const Real counts = field_.hotSpot ? extinction * shareLeft(holds, fibres, taken) : extinction;
+    const Real counts = field_.hotSpot ? orZero(holds, extinction * shareLeft(holds, fibres, taken)) : extinction;
     stretches_.add(from, to, counts, solid * taken.separation, box.boxed);
   }
 
@@ -122,7 +121,7 @@ class Step {
       enter = most(enter, least(a, b));
       leave = least(leave, most(a, b));
     }
-    const Mask passes = enter < leave;  // else it goes by
+    const Mask passes = enter < leave;  // a ray that misses the box has no stretch
     from = choose(box.boxed, choose(passes, enter, leave_), from);
     to = choose(box.boxed, choose(passes, leave, enter_), to);
   }
@@ -234,12 +233,10 @@ void lookLanes(const WalkField& field, LookLanes& lanes) {
       Mask there = holds;
       Real crowding(1.0f);
       if (any(box.boxed)) {
-        Mask inBox = holds;
         for (int axis = 0; axis < 3; ++axis) {
           const Real place = Real::of(&lanes.inVoxel[axis][lane]);
-          inBox = inBox & (box.lower[axis] <= place) & (place < box.upper[axis]);
+          there = there & (box.lower[axis] <= place) & (place < box.upper[axis]);
         }
-        there = inBox | (holds & ~box.boxed);
         crowding = box.crowding();
       }
       found.add(there, component, taken.slot, crowding * extinctionOf(field, there, fibres, direction, taken.radius));

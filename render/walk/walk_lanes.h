@@ -66,10 +66,10 @@ struct CellLanes {
   } slots[kSlots];
 };
 
-/// Which fibres a voxel of each ray holds.
+/// Which fibres a voxel of each ray holds, or a place in it.
 struct FoundLanes {
   LaneFloats whole;    ///< extinction of all, each component in the box that it lies in, 1/mm
-  LaneInts component;  ///< the number of the voxel's component, if it has one alone; kNone or kSeveral if not
+  LaneInts component;  ///< the number of the component, if there is one alone; kNone or kSeveral if not
   LaneInts slot;       ///< whose brick that component is in
   static constexpr int32_t kNone = -1, kSeveral = -2;
 };
@@ -91,8 +91,9 @@ struct alignas(64) WalkLanes {
   LaneFloats tEnd;                  ///< no axes are looked for beyond
   LaneFloats lightStart, lightEnd;  ///< where the light is in the segment
   LaneFloats depth;                 ///< optical depth that is left
-  LaneFloats lastEnd, lastFilled;   ///< where the voxel with content before ended, and how much of it is fibre
-  LaneInts steps;                   ///< stretches of voxels with content that it has gone along
+  LaneFloats lastEnd,
+      lastFilled;  ///< where the fibres of the voxel before ended, and how much of the space there is fibre
+  LaneInts steps;  ///< voxels with content in which it has used up depth
 
   // The cloth there:
   LaneFloats frame[3][3];   ///< [column][row] of d world / d cloth

@@ -21,14 +21,15 @@ class CorrelationState {
         before_(s.clothOrigin + toCloth * (memory.before.axis - s.origin),
                 glm::normalize(toCloth * memory.before.tangent), memory.before.radius_mm, grid_) {}
 
-  float share(const FibreDistribution& fibres, float radius_mm, bool packed, YarnId yarnId, glm::vec3 point,
-              glm::ivec3 voxel) const {
+  float share(const VoxelFibres& component, glm::vec3 point, glm::ivec3 voxel) const {
+    const FibreDistribution& fibres = component.fibres;
+    const float radius_mm = component.optics->fibreRadius_mm;
     float absent = 0;
     for (const RaySegment& past : memory_.pastSegments)
       if (past.length_mm > 0)
         absent = std::max(absent, knownAbsent(past, point, fibres.direction, fibres.spread, radius_mm));
     float before = 0;
-    if (memory_.before.radius_mm > 0 && yarnId == memory_.before.yarnId && packed)
+    if (memory_.before.radius_mm > 0 && component.yarnId() == memory_.before.yarnId && component.optics->packed)
       before = std::min(1.0f, before_.lengthDensity(grid_.lower_mm(voxel)) / fibres.lengthDensity);
     return (1 - absent) * (1 - before);
   }
@@ -46,9 +47,7 @@ struct CorrelatedShare {
   glm::ivec3 voxel;
 
   float operator()(const VoxelFibres& component) const {
-    if (!unknown) return 1;
-    const YarnOptics& optics = *component.optics;
-    return unknown->share(component.fibres, optics.fibreRadius_mm, optics.packed, component.yarnId(), middle, voxel);
+    return unknown ? unknown->share(component, middle, voxel) : 1.0f;
   }
 };
 
