@@ -124,11 +124,12 @@ Refinement::Pass Refinement::beginPass() const {
   return {plan, PictureBuckets(all, split ? bucketSide(budget_s / secondsPerPixel, plan.divider) : 0)};
 }
 
-/// First fibres come before any pass, but in turn with coarse ones, which are quick and seen at once.
+/// First fibres come before any fine pass, which takes seconds, and in turn with coarse ones, which are quick and seen
+/// at once.
 bool Refinement::hitsAreNext() {
   if (!shared_ || shared_->hits() >= hitsWanted(history_)) return false;
   hitsHadTheirTurn_ = !hitsHadTheirTurn_;
-  return hitsHadTheirTurn_ || history_.divider <= 2;
+  return hitsHadTheirTurn_ || nextPass(history_, samplesWanted()).divider == 1;
 }
 
 bool Refinement::advance(const Task& task) {

@@ -23,6 +23,7 @@ class CloseUpMedium final : public Medium {
   explicit CloseUpMedium(std::shared_ptr<const TraceData> cloth);
 
   std::unique_ptr<MediumBatch> batch(size_t paths) const override;
+  const Medium& fromAfar() const override { return volume_; }
 
  private:
   LoomlightMedium volume_;

@@ -166,6 +166,9 @@ class Medium {
   /// Whether light that comes straight from a lamp to the first fibre of a path is seen by transmit() alone, whatever
   /// the flight that goes on from there meets: the report's way. False where both are one law.
   virtual bool seesDirectLightApart() const { return false; }
+
+  /// The cloth without what only an eye near by sees of it; as long as this one lives.
+  virtual const Medium& fromAfar() const { return *this; }
 };
 
 }  // namespace loomlight

@@ -76,11 +76,12 @@ FirstFibreSink* SharedLight::listener(uint32_t samples, int divider) {
 }
 
 bool SharedLight::addHits(uint32_t perPixel, const Task& task, double budget_s) {
-  return hits_->trace(perPixel, *scene_, *medium_, *cells_, task, budget_s);
+  // Cells are voxels, so that single fibres would tell nothing more; and to lay them takes seconds.
+  return hits_->trace(perPixel, *scene_, medium_->fromAfar(), *cells_, task, budget_s);
 }
 
 std::optional<KnownView> SharedLight::known(const Film& coarse, int finer, const Task& task) const {
-  auto view = knownView(*scene_, *medium_, *cells_, finer * coarse.width(), finer * coarse.height(), task);
+  auto view = knownView(*scene_, medium_->fromAfar(), *cells_, finer * coarse.width(), finer * coarse.height(), task);
   if (view) brightenTo(view->picture, coarse, finer, task.threads);
   return view;
 }

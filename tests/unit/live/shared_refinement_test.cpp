@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "app/live/refinement.h"
 #include "tests/support/refining_test.h"
+#include "tests/support/watched_medium.h"
 
 namespace loomlight {
 namespace {
@@ -43,6 +47,32 @@ TEST_F(SharedRefinement, IsSeenAtFullResolutionBeforeTheFilmIs) {
   ASSERT_EQ(frame.helped.size(), static_cast<size_t>(kWidth) * kHeight);
   EXPECT_EQ(frame.plain().data(), frame.helped.data());
   EXPECT_EQ(frame.hits.size(), frame.helped.size());
+}
+
+// Where an earlier picture stands in, no coarse passes are left, and a fine one takes seconds: it would put the noise
+// of its first sample in place of light that is known. First fibres of a tall picture take longer than the time of a
+// pass, so they need several of their own.
+TEST_F(SharedRefinement, FirstFibresAreThereBeforeAnyFinePassBegins) {
+  constexpr int kTall = 3 * kHeight;
+  Refinement before(cloth, kWidth, kTall, kSlow_s);
+  before.shareLight(nullptr, {});
+  refine(before, 1);
+  Fabric turned = *cloth.scene->fabric;
+  turned.camera.azimuth_deg += 10;
+  const auto slow = std::make_shared<const test::WatchedMedium>(cloth.medium, [](uint64_t path) {
+    if (path % 1000 == 1) std::this_thread::sleep_for(std::chrono::milliseconds(40));
+  });
+  const Traceable moved{makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()), slow};
+  Refinement after(moved, kWidth, kTall, kSlow_s);
+  after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, turned));
+  after.standIn(std::make_shared<const Frame>(before.frame()));
+  after.skipCoarse(3);
+  int steps = 0;
+  for (; !after.frame().shared; ++steps) {
+    ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+    ASSERT_EQ(after.film().samples(kWidth / 2, kTall / 2), 0u);  // where a pass begins
+  }
+  EXPECT_GT(steps, 1);
 }
 
 TEST_F(SharedRefinement, TheFirstPictureOfAMovedViewHasTheDetailOfTheOneBefore) {

@@ -7,6 +7,7 @@
 
 #include "render/media/close_up_medium.h"
 #include "render/scene/camera_rays.h"
+#include "render/scene/fibre_bricks.h"
 #include "render/transport/make_medium.h"
 #include "tests/support/test_cloth.h"
 
@@ -59,6 +60,21 @@ Rgb meanOf(const std::vector<glm::vec4>& picture) {
   glm::dvec4 sum(0);
   for (const glm::vec4& pixel : picture) sum += glm::dvec4(pixel);
   return Rgb(glm::dvec3(sum) / sum.a);
+}
+
+// To lay the fibres of a close-up takes seconds, and cells are voxels: a single fibre tells nothing more.
+TEST(SharedLight, LaysNoFibresToFindCells) {
+  Fabric near = cloth(LightKind::dome);
+  near.render.estimator = Estimator::loomlight;
+  near.camera.elevation_deg = 70;
+  near.camera.distance_mm = 0.7;
+  Picture picture(near);
+  ASSERT_NE(picture.scene->cloth->fibres, nullptr);
+  ASSERT_TRUE(picture.light->addHits(2, threads(1)));
+  EXPECT_EQ(picture.light->hits(), 2u);
+  EXPECT_EQ(picture.scene->cloth->fibres->made(), 0u);
+  picture.trace(1, 1);
+  EXPECT_GT(picture.scene->cloth->fibres->made(), 0u) << "paths of the film go among them";
 }
 
 TEST(SharedLight, IsTheSameFromAnyNumberOfThreads) {
