@@ -369,6 +369,15 @@ std::shared_ptr<const WifOrigin> readOrigin(json value, const std::string& sourc
   ObjectReader reader(std::move(value), path);
   auto origin = std::make_shared<WifOrigin>();
   reader.takeFields(*origin);
+  const auto diameters = [&](const char* key, const FieldInfo& info, std::vector<double>& out) {
+    const std::optional<json> list = reader.take(key);
+    if (!list) return;
+    const FieldPath here = path.at(key);
+    out.resize(readList(*list, "a list of numbers", here).size());
+    for (size_t i = 0; i < out.size(); ++i) read((*list)[i], info, here.at(i), out[i]);
+  };
+  diameters("warp_diameters_mm", fieldInfo(&WifOrigin::warpDiameter_mm), origin->warpDiameters_mm);
+  diameters("weft_diameters_mm", fieldInfo(&WifOrigin::weftDiameter_mm), origin->weftDiameters_mm);
   if (auto yarns = reader.take("yarns")) origin->yarns = readObjects<WifYarn>(std::move(*yarns), path.at("yarns"));
   if (const std::optional<json> lines = reader.take("lines"))
     origin->rest = readWifLines(*lines, source, path.at("lines"));

@@ -151,6 +151,13 @@ Json wifSchema() {
   wif["properties"]["lines"] = listOf({{"type", "string"}}, "The rest of the WIF draft, as it would stand there.");
   wif["properties"]["yarns"] =
       listOf(objectOf<WifYarn>("A yarn."), "What the fabric's yarns were given, in their order.", 0, kMaxKinds);
+  const auto diameters = [](const FieldInfo& info, const char* threads) {
+    const std::string text =
+        fmt::format("Of each {}, repeating, where the WIF draft has sizes of single ones. Unit: mm", threads);
+    return listOf(ranged("number", info.min, info.max), text, 0, kMaxSequence);
+  };
+  wif["properties"]["warp_diameters_mm"] = diameters(fieldInfo(&WifOrigin::warpDiameter_mm), "end");
+  wif["properties"]["weft_diameters_mm"] = diameters(fieldInfo(&WifOrigin::weftDiameter_mm), "pick");
   return wif;
 }
 

@@ -148,6 +148,8 @@ Json draftToJson(const Draft& draft) {
 Json originToJson(const WifOrigin& origin) {
   Json json = Json::object();
   addFields(json, origin);
+  if (!origin.warpDiameters_mm.empty()) json["warp_diameters_mm"] = origin.warpDiameters_mm;
+  if (!origin.weftDiameters_mm.empty()) json["weft_diameters_mm"] = origin.weftDiameters_mm;
   if (!origin.yarns.empty()) json["yarns"] = listToJson(origin.yarns);
   json["lines"] = wifRestLines(origin.rest);
   addUnknown(json, origin.unknown);

@@ -59,7 +59,8 @@ bool operator==(const WifYarn& a, const WifYarn& b) {
 }
 
 bool operator==(const WifOrigin& a, const WifOrigin& b) {
-  return equalFields(a, b) && a.yarns == b.yarns && a.rest == b.rest;
+  return equalFields(a, b) && a.warpDiameters_mm == b.warpDiameters_mm && a.weftDiameters_mm == b.weftDiameters_mm &&
+         a.yarns == b.yarns && a.rest == b.rest;
 }
 
 bool operator==(const Fabric& a, const Fabric& b) {

@@ -111,6 +111,14 @@ void checkOrigin(const WifOrigin& origin, const FieldPath& path) {
     const FieldPath yarn = yarns.at(i);
     checkFields(origin.yarns[i], yarn);
   }
+  const auto checkDiameters = [](const std::vector<double>& diameters_mm, const FieldInfo& info,
+                                 const FieldPath& list) {
+    if (diameters_mm.size() > static_cast<size_t>(kMaxSequence))
+      list.reject(fmt::format("at most {} threads", kMaxSequence), fmt::format("{}", diameters_mm.size()));
+    for (size_t i = 0; i < diameters_mm.size(); ++i) check(info, diameters_mm[i], list.at(i));
+  };
+  checkDiameters(origin.warpDiameters_mm, fieldInfo(&WifOrigin::warpDiameter_mm), path.at("warp_diameters_mm"));
+  checkDiameters(origin.weftDiameters_mm, fieldInfo(&WifOrigin::weftDiameter_mm), path.at("weft_diameters_mm"));
 }
 
 }  // namespace

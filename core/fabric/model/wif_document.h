@@ -38,6 +38,8 @@ struct WifSizes {
   std::optional<double> meanSpacing_mm(int threads) const;
   std::optional<double> spacing_mm(int thread) const;  ///< of one thread, from 1
   std::optional<double> thickness_mm(int thread) const;
+  /// Whether it says anything of single threads.
+  bool hasSingle() const { return !spacings.empty() || !thicknesses.empty(); }
   friend bool operator==(const WifSizes&, const WifSizes&) = default;
 };
 

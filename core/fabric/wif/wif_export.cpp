@@ -156,34 +156,52 @@ bool nearly(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::abs(b);
 }
 
-/// What the file said of sizes where the fabric has not been given others since, its own sizes where it has.
-void setSizes(const Fabric& fabric, WifDocument& document, std::vector<std::string>& remarks) {
-  const WifOrigin origin = fabric.wif ? *fabric.wif : WifOrigin{};
-  const auto set = [&](System system, WifSizes& sizes, bool untouched, int threads, int were) {
-    if (!untouched || sizes == WifSizes{}) {
-      if (unevenSpacing(sizes, were, ""))
-        remarks.push_back(
-            fmt::format("{} lay unevenly in the file that the cloth is from; sett or yarns are others "
-                        "now, and all are written at one distance.",
-                        system == System::warp ? "Ends" : "Picks"));
-      sizes = ownSizes(fabric, system, threads);
-    } else if (threads != were && !(sizes.spacings.empty() && sizes.thicknesses.empty())) {
-      sizes.spacings.clear();
-      sizes.thicknesses.clear();
+/// What a cloth had in one system when it was read.
+struct AsRead {
+  double threads_per_cm = 0;
+  double diameter_mm = 0;
+  int threads = 0;
+  std::vector<double> diameters_mm;  ///< as WifOrigin has them
+};
+
+AsRead asRead(const Fabric& fabric, System system) {
+  if (!fabric.wif) return {};
+  const WifOrigin& origin = *fabric.wif;
+  if (system == System::warp) return {origin.ends_per_cm, origin.warpDiameter_mm, origin.ends, origin.warpDiameters_mm};
+  return {origin.picks_per_cm, origin.weftDiameter_mm, origin.picks, origin.weftDiameters_mm};
+}
+
+/// Whether the threads are as many as were read, and each as thick as it was.
+bool hasItsThreads(const Fabric& fabric, System system, int threads, const AsRead& read) {
+  if (threads != read.threads) return false;
+  if (read.diameters_mm.empty()) return true;
+  const std::vector<double> now = threadDiameters_mm(fabric, system);
+  for (size_t thread = 0; thread < static_cast<size_t>(threads); ++thread)
+    if (!nearly(now[thread % now.size()], read.diameters_mm[thread % read.diameters_mm.size()])) return false;
+  return true;
+}
+
+/// What the file said of a system's sizes where the fabric has not been given others since, its own sizes where it has.
+void setSizes(const Fabric& fabric, System system, int threads, WifSizes& sizes, std::vector<std::string>& remarks) {
+  const AsRead read = asRead(fabric, system);
+  const bool isWarp = system == System::warp;
+  const bool isUntouched = nearly(isWarp ? fabric.ends_per_cm : fabric.picks_per_cm, read.threads_per_cm) &&
+                           nearly(meanDiameter_mm(fabric, system), read.diameter_mm);
+  if (!isUntouched || sizes == WifSizes{}) {
+    if (unevenSpacing(sizes, read.threads, ""))
       remarks.push_back(
-          fmt::format("Spacing and thickness of single {} are those of another number of threads, and are "
-                      "not in the file.",
-                      system == System::warp ? "ends" : "picks"));
-    }
-  };
-  set(System::warp, document.rest.warp,
-      nearly(fabric.ends_per_cm, origin.ends_per_cm) &&
-          nearly(meanDiameter_mm(fabric, System::warp), origin.warpDiameter_mm),
-      document.ends(), origin.ends);
-  set(System::weft, document.rest.weft,
-      nearly(fabric.picks_per_cm, origin.picks_per_cm) &&
-          nearly(meanDiameter_mm(fabric, System::weft), origin.weftDiameter_mm),
-      document.picks(), origin.picks);
+          fmt::format("{} lay unevenly in the file that the cloth is from; sett or yarns are others "
+                      "now, and all are written at one distance.",
+                      isWarp ? "Ends" : "Picks"));
+  } else if (sizes.hasSingle() && !hasItsThreads(fabric, system, threads, read)) {
+    remarks.push_back(
+        fmt::format("Spacing and thickness of single {} in the file that the cloth is from are those of other threads "
+                    "than it has now; it is written with its own sett and yarns.",
+                    isWarp ? "ends" : "picks"));
+  } else {
+    return;
+  }
+  sizes = ownSizes(fabric, system, threads);
 }
 
 std::vector<std::string> linesOf(const std::string& text) {
@@ -211,7 +229,8 @@ WifExport wifFromFabric(const Fabric& fabric, const std::string& file) {
   const std::vector<int> numbers = numbersOfYarns(fabric, document.rest.palette, file);
   for (int end = 0; end < ends; ++end) document.warpColours.push_back(numbers[fabric.warpYarn(end)]);
   for (int pick = 0; pick < picks; ++pick) document.weftColours.push_back(numbers[fabric.weftYarn(pick)]);
-  setSizes(fabric, document, exported.remarks);
+  setSizes(fabric, System::warp, ends, document.rest.warp, exported.remarks);
+  setSizes(fabric, System::weft, picks, document.rest.weft, exported.remarks);
   exported.text = wifFromDocument(document);
   return exported;
 }

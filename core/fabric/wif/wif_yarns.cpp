@@ -140,18 +140,6 @@ std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const 
 
 }  // namespace
 
-std::vector<int> shortest(std::vector<int> sequence) {
-  const size_t n = sequence.size();
-  for (size_t period = 1; period <= n / 2; ++period) {
-    if (n % period != 0) continue;
-    if (std::equal(sequence.begin() + static_cast<long>(period), sequence.end(), sequence.begin())) {
-      sequence.resize(period);
-      return sequence;
-    }
-  }
-  return sequence;
-}
-
 double tidy(double value) {
   return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
 }
@@ -193,6 +181,11 @@ std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fab
   origin.picks_per_cm = fabric.picks_per_cm;
   origin.warpDiameter_mm = meanDiameter_mm(fabric, System::warp);
   origin.weftDiameter_mm = meanDiameter_mm(fabric, System::weft);
+  const auto diameters = [&fabric](const WifSizes& sizes, System system) {
+    return sizes.hasSingle() ? shortest(threadDiameters_mm(fabric, system)) : std::vector<double>();
+  };
+  origin.warpDiameters_mm = diameters(origin.rest.warp, System::warp);
+  origin.weftDiameters_mm = diameters(origin.rest.weft, System::weft);
   return std::make_shared<const WifOrigin>(std::move(origin));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -26,7 +27,18 @@ WifWarning heldYarns();
 std::vector<WifYarn> dressThreads(Fabric& fabric, const WifDocument& document, std::vector<WifWarning>& warnings);
 
 /// The shortest sequence that goes on in the same way for ever and fits the repeat.
-std::vector<int> shortest(std::vector<int> sequence);
+template <class Value>
+std::vector<Value> shortest(std::vector<Value> sequence) {
+  const size_t n = sequence.size();
+  for (size_t period = 1; period <= n / 2; ++period) {
+    if (n % period != 0) continue;
+    if (std::equal(sequence.begin() + static_cast<long>(period), sequence.end(), sequence.begin())) {
+      sequence.resize(period);
+      return sequence;
+    }
+  }
+  return sequence;
+}
 
 /// The origin of a fabric that has just been given its sizes.
 std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fabric);

@@ -163,6 +163,15 @@ double meanDiameter_mm(const Fabric& fabric, System system) {
   return meanOverYarns(fabric, system, yarnDiameter_mm);
 }
 
+std::vector<double> threadDiameters_mm(const Fabric& fabric, System system) {
+  std::vector<double> ofYarns;
+  for (const Yarn& yarn : fabric.yarns) ofYarns.push_back(yarnDiameter_mm(yarn, meanFibre(yarn, fabric.fibres)));
+  std::vector<double> ofThreads;
+  for (const int yarn : system == System::warp ? fabric.warpSequence : fabric.weftSequence)
+    ofThreads.push_back(ofYarns[yarn]);
+  return ofThreads;
+}
+
 double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft) {
   return 0.1 * (fabric.ends_per_cm * meanCount_tex(fabric, System::warp) * (1.0 + crimpWarp) +
                 fabric.picks_per_cm * meanCount_tex(fabric, System::weft) * (1.0 + crimpWeft));

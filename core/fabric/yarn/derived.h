@@ -62,6 +62,8 @@ double meanCount_tex(const Fabric& fabric, System system);
 
 /// Mean diameter of a system's yarns over its sequence, as if they were round, mm.
 double meanDiameter_mm(const Fabric& fabric, System system);
+/// The same of each thread of the sequence, mm.
+std::vector<double> threadDiameters_mm(const Fabric& fabric, System system);
 
 /// Mass of a square metre, g: 0.1 (n1 T1 (1 + c1) + n2 T2 (1 + c2)), ends and picks per cm and tex. The crimps are what
 /// the geometry measures, or a guess.

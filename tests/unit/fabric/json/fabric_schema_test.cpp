@@ -84,7 +84,9 @@ TEST(FabricSchema, HasEveryKeyThatIsWritten) {
   fabric.colourways[0].absorption_per_mm.resize(fabric.fibres.size());
   fabric.yarns[0].blendFibre = 0;
   fabric.yarns[0].fibresPerPly = 30;
-  fabric.wif = std::make_shared<WifOrigin>();
+  WifOrigin origin;
+  origin.warpDiameters_mm = origin.weftDiameters_mm = {0.2, 0.4};
+  fabric.wif = std::make_shared<WifOrigin>(origin);
   EXPECT_EQ(unknownIn(json::parse(fabricToJson(fabric)), schema(), ""), std::vector<std::string>{});
 }
 

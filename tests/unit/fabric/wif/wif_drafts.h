@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_reader.h"
 
 namespace loomlight {
@@ -118,6 +119,11 @@ Model = Big one
 inline WifDocument document(std::string_view bytes) {
   WifWarnings warnings;
   return readWif(bytes, "x.wif", warnings);
+}
+
+/// The fabric of a weaving file, with the yarns of a new one.
+inline Fabric imported(std::string_view bytes, WifSizeChoice sizes = WifSizeChoice::keep) {
+  return fabricFromWif(bytes, "x.wif", Fabric{}, sizes).fabric;
 }
 
 inline std::vector<std::string> inLines(const std::vector<WifWarning>& warnings) {

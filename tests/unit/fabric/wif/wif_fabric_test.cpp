@@ -26,10 +26,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Fabric imported(std::string_view bytes, WifSizeChoice sizes = WifSizeChoice::keep) {
-  return fabricFromWif(bytes, "x.wif", Fabric{}, sizes).fabric;
-}
-
 Rgb colourOf(const Fabric& fabric, int yarn) {
   const Fibre& fibre = fabric.fibres[fabric.yarns[yarn].fibre];
   return srgbFromLinear(fibreReflectance(fibre));
@@ -204,16 +200,6 @@ TEST(WifFabric, BothThickAndUnevenTakesTheThickness) {
   EXPECT_EQ(f.weftYarn(1), f.weftYarn(0));
 }
 
-TEST(WifFabric, UnevenSpacingThatGoesIsSaid) {
-  Fabric fabric = imported(twillFile());
-  fabric.picks_per_cm = 31;
-  const WifExport exported = wifFromFabric(fabric, "y.wif");
-  EXPECT_THAT(exported.remarks, Contains(HasSubstr("Picks lay unevenly in the file")));
-  EXPECT_TRUE(document(exported.text).rest.weft.spacings.empty());
-  const Fabric again = imported(exported.text);
-  EXPECT_NE(again.weftYarn(1), again.weftYarn(0)) << "thick picks have their thickness now";
-}
-
 TEST(WifFabric, WhatIsNotNamedCanBeCutOff) {
   const std::string text = replaced(replaced(twillFile(), "Threads=6", "Threads=500"), "Threads=8", "Threads=30");
   const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
@@ -354,27 +340,6 @@ TEST(WifFabric, HandsBackWhatItDoesNotHold) {
   EXPECT_EQ(after.rest, before.rest) << "palette, sizes, authors, private sections";
   EXPECT_EQ(after.draft, before.draft);
   EXPECT_EQ(after.warpColours, before.warpColours);
-}
-
-TEST(WifFabric, SizesOfTheDesignerReplaceThoseOfTheFile) {
-  Fabric fabric = imported(twillFile());
-  fabric.ends_per_cm = 25;
-  const WifRest rest = document(wifFromFabric(fabric, "y.wif").text).rest;
-  EXPECT_EQ(rest.warp.spacing, 0.04);
-  EXPECT_EQ(rest.weft, document(twillFile()).rest.weft) << "untouched";
-  for (Yarn& yarn : fabric.yarns) yarn.count_tex *= 4;
-  const Yarn& usual = fabric.yarns[fabric.weftYarn(0)];
-  EXPECT_NEAR(*document(wifFromFabric(fabric, "y.wif").text).rest.weft.thickness,
-              0.1 * yarnDiameter_mm(usual, fabric.fibres[usual.fibre]), 1e-6);
-}
-
-TEST(WifFabric, SizesOfSingleThreadsGoWhereThreadsHaveChanged) {
-  Fabric fabric = imported(twillFile());
-  fabric.draft.reset();
-  fabric.weave = fabric.weave.resized(8, 7);
-  const WifExport exported = wifFromFabric(fabric, "y.wif");
-  EXPECT_THAT(exported.remarks, Contains(HasSubstr("of single picks")));
-  EXPECT_TRUE(document(exported.text).rest.weft.spacings.empty());
 }
 
 TEST(WifFabric, AFabricOfOurOwnBecomesADraft) {
