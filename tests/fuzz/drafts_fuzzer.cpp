@@ -1,4 +1,5 @@
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/validate.h"
 #include "core/fabric/wif/dtx_reader.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_reader.h"
@@ -37,12 +38,34 @@ void writeDocument(std::string_view bytes) {
   expect(again.title == document.title && again.notes == document.notes, "title or notes are written as others");
 }
 
+/// What is cut is a fabric, and has of the whole what it keeps. Threads that were cut off are named by no line, so that
+/// they all are alike.
+void cutFabric(const Fabric& whole, const WifNamed& named) {
+  const Fabric cut = cutToNamed(whole, named);
+  expect(isRead("a.wif", [&] { validate(cut, "a.wif"); }), "what is cut is no fabric");
+  const int ends = cut.weave.ends(), picks = cut.weave.picks();
+  expect(ends <= whole.weave.ends() && picks <= whole.weave.picks(), "what is cut has more threads");
+  bool sameYarns = true, sameWeave = true, cutsNone = true;
+  for (int end = 0; end < ends; ++end) sameYarns = sameYarns && cut.warpYarn(end) == whole.warpYarn(end);
+  for (int pick = 0; pick < picks; ++pick) sameYarns = sameYarns && cut.weftYarn(pick) == whole.weftYarn(pick);
+  for (int pick = 0; pick < whole.weave.picks(); ++pick)
+    for (int end = 0; end < whole.weave.ends(); ++end) {
+      const bool up = whole.weave.at(pick, end);
+      if (pick < picks && end < ends) sameWeave = sameWeave && cut.weave.at(pick, end) == up;
+      if (pick >= picks) cutsNone = cutsNone && whole.weave.at(picks, end) == up;
+      if (end >= ends) cutsNone = cutsNone && whole.weave.at(pick, ends) == up;
+    }
+  expect(sameYarns, "what is cut has threads of other yarns");
+  expect(sameWeave, "what is cut is woven otherwise");
+  expect(cutsNone, "threads are cut off that the draft names");
+}
+
 void makeFabric(std::string_view bytes) {
   const WifImport import = fabricFromWif(bytes, "a.wif", Fabric{}, WifSizeChoice::file);
   expectTold(import.warnings);
   expectTold(otherWifSizes(import.fabric));
   if (std::max(import.fabric.weave.ends(), import.fabric.weave.picks()) > kMostThreads) return;
-  cutToNamed(import.fabric, import.named);
+  cutFabric(import.fabric, import.named);
   expect(fabricFromJson(fabricToJson(import.fabric), "a.json") == import.fabric, "the fabric's file is of another");
   const Fabric again =
       fabricFromWif(wifFromFabric(import.fabric, "a.wif").text, "a.wif", Fabric{}, WifSizeChoice::file).fabric;

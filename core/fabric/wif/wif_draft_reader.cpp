@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -46,6 +45,8 @@ class DraftReader {
     Draft draft;
     const int ends = threads("WARP", threading, "WARP COLORS", counting_.end);
     const int picks = threads("WEFT", lifted ? liftplan : treadling, "WEFT COLORS", counting_.pick);
+    named_ = {lastNamed(threading, {counting_.end, ends}),
+              lastNamed(lifted ? liftplan : treadling, {counting_.pick, picks})};
     draft.threading = lists(threading, {counting_.end, ends}, "end", shafts());
     if (lifted) draft.liftplan = lists(liftplan, {counting_.pick, picks}, "pick", shafts());
     if (trodden || !lifted)
@@ -65,13 +66,7 @@ class DraftReader {
     return draft;
   }
 
-  WifNamed named() const {
-    const auto of = [this](const char* what) {
-      const auto found = named_.find(what);
-      return found == named_.end() ? 0 : found->second;
-    };
-    return {of("end"), of("pick")};
-  }
+  WifNamed named() const { return named_; }
 
  private:
   struct Lines {
@@ -117,16 +112,26 @@ class DraftReader {
     return largest;
   }
 
+  /// The last thread that has a line in the plan; 0 where that is the last of all, or none has.
+  static int lastNamed(const WifSection* plan, const Lines& lines) {
+    int last = 0;
+    if (!plan) return last;
+    for (const WifEntry& entry : plan->entries) {
+      const std::optional<int> number = wifWhole(entry.key);
+      if (number && *number >= lines.first && *number < lines.first + lines.count)
+        last = std::max(last, *number - lines.first + 1);
+    }
+    return last < lines.count ? last : 0;
+  }
+
   /// The lines of a section as lists of shafts or treadles, one for each of `count` threads or treadles.
   Lists lists(const WifSection* section, const Lines& lines, const char* what, const Listed& listed) {
     Lists all(static_cast<size_t>(lines.count));
-    int named = 0, last = 0;
+    int named = 0;
     forEachNumbered(section, lines.first, lines.count, what, warnings_, [&](int number, const WifEntry& entry) {
       all[number - 1] = list(*section, entry, listed);
       ++named;
-      last = std::max(last, number);
     });
-    if (last > 0 && last < lines.count) named_[what] = last;
     if (section && named < lines.count)
       warnings_.add(0, section->name, "",
                     fmt::format("Only {} of {} {}s are named; the others are left empty.", named, lines.count, what));
@@ -267,7 +272,7 @@ class DraftReader {
   const WifCounting& counting_;
   const std::string& source_;
   WifWarnings& warnings_;
-  std::map<std::string, int> named_;  ///< of "end" and "pick", the last that has a line, where that is not the last
+  WifNamed named_;  ///< of threading, and of the liftplan or treadling that counts
 };
 
 }  // namespace

@@ -333,6 +333,14 @@ TEST(WifReader, ThreadsThatAreOnlyCountedAreToldFromTheNamed) {
   EXPECT_EQ(document(replaced(twillFile(), "3=3\n", "")).named, WifNamed{}) << "a gap is none";
 }
 
+TEST(WifReader, OnlyThePlanThatCountsTellsHowManyPicksAreNamed) {
+  const std::string lifts = "[LIFTPLAN]\n1=1,2\n2=2,3\n3=3,4\n4=1,4\n5=1,2\n6=3\n";
+  const std::string shortTreadling = replaced(twillFile(), "4=4\n5=1\n6=2,3\n", "4=4\n");
+  EXPECT_EQ(document(shortTreadling).named, (WifNamed{0, 4}));
+  EXPECT_EQ(document(shortTreadling + lifts).named, WifNamed{}) << "the liftplan names all six";
+  EXPECT_EQ(document(twillFile() + "[LIFTPLAN]\n1=1,2\n2=2,3\n3=3,4\n").named, (WifNamed{0, 3}));
+}
+
 TEST(WifReader, ListsAreReadHoweverTheyAreParted) {
   for (const char* list : {"2+3", "2/3", "2&3", "2-3", "2 + 3", "3-2", "2;3", "2; 3", "2 ;3"}) {
     const std::string text = replaced(twillFile(), "6=2,3\n", std::string("6=") + list + "\n");
