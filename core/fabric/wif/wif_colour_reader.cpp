@@ -272,11 +272,11 @@ std::vector<int> readWifColours(const WifSections& sections, const WifCounting& 
   const int usual = common ? colourOf(sectionName(system), *common, "the threads take the yarn's own colour") : 0;
   std::vector<int> colours(static_cast<size_t>(threads), usual);
   const std::string section = sectionName(system, " COLORS");
-  const int first = system == System::warp ? counting.end : counting.pick;
-  forEachNumbered(sections.find(section), first, threads, "thread", warnings, [&](int number, const WifEntry& entry) {
-    const int own = colourOf(section, entry, "the thread takes the usual colour");
-    colours[number - 1] = own > 0 ? own : usual;
-  });
+  forEachNumbered(sections.find(section), counting.firstLine(section), threads, "thread", warnings,
+                  [&](int number, const WifEntry& entry) {
+                    const int own = colourOf(section, entry, "the thread takes the usual colour");
+                    colours[number - 1] = own > 0 ? own : usual;
+                  });
   return colours;
 }
 

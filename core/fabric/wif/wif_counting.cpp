@@ -8,7 +8,8 @@
 // How it works. A line 0 is no line of a file that counts from 1, so it tells how the others are meant. Where line N of
 // N is there as well, line 0 is a slip, and is passed over. Lists of numbers tell less, because 0 stands for none in
 // them: the treadling is taken as the tie-up is, unless it names a treadle that then would not be there, and shafts are
-// taken from 0 only in a file that counts other things so, hangs ends on shaft 0 and lifts it too.
+// taken from 0 only in a file that counts other things so, hangs ends on shaft 0 and lifts it too. Colours and sizes of
+// single threads are counted as the threads are, unless their section has line N and no line 0.
 
 namespace loomlight {
 namespace {
@@ -57,6 +58,8 @@ class CountingReader {
     WifCounting counting;
     counting.end = firstThread("WARP", {"THREADING"});
     counting.pick = firstThread("WEFT", {"TREADLING", "LIFTPLAN"});
+    if (counting.end == 0) readSingles("WARP", {"THREADING"}, counting);
+    if (counting.pick == 0) readSingles("WEFT", {"TREADLING", "LIFTPLAN"}, counting);
     readTreadles(counting);
     readShafts(counting);
     const WifSection* const table = sections_.find("COLOR TABLE");
@@ -92,6 +95,24 @@ class CountingReader {
     return zero ? fromZero(*zero, system == "WARP" ? "Ends" : "Picks") : 1;
   }
 
+  /// Whether what is said of single threads counts from 1, though the threads themselves are counted from 0.
+  void readSingles(const std::string& system, std::initializer_list<const char*> plans, WifCounting& counting) {
+    int threads = statedNumber(sections_, system, "threads");
+    if (threads < 1 || threads > Weave::kMaxSide) {
+      threads = 0;
+      for (const char* plan : plans)
+        if (const WifSection* const section = sections_.find(plan))
+          threads = std::max(threads, std::min(largestLine(*section), Weave::kMaxSide) + 1);
+    }
+    for (const char* what : {" COLORS", " SPACING", " THICKNESS", " SYMBOLS", " SPACING ZOOM", " THICKNESS ZOOM"}) {
+      const WifSection* const section = sections_.find(system + what);
+      if (hasLine(section, 0) || !hasLastLine(section, threads)) continue;
+      counting.fromOne.push_back(section->name);
+      warnings_.add(0, section->name, "",
+                    "Threads are counted from 1 here, though the draft counts them from 0; they are read so.");
+    }
+  }
+
   void readTreadles(WifCounting& counting) {
     const WifSection* const tieUp = sections_.find("TIEUP");
     const WifEntry* const first = findLine(tieUp, 0);
@@ -122,6 +143,11 @@ int statedNumber(const WifSections& sections, std::string_view section, std::str
   const WifSection* const found = sections.find(section);
   const WifEntry* const entry = found ? found->find(key) : nullptr;
   return entry ? std::max(0, wifWhole(entry->value).value_or(0)) : 0;
+}
+
+int WifCounting::firstLine(std::string_view section) const {
+  if (std::find(fromOne.begin(), fromOne.end(), section) != fromOne.end()) return 1;
+  return section.starts_with("WARP") ? end : pick;
 }
 
 WifCounting wifCounting(const WifSections& sections, WifWarnings& warnings) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "core/fabric/model/wif_document.h"
 #include "core/fabric/wif/wif_sections.h"
 #include "core/fabric/wif/wif_warnings.h"
@@ -14,6 +18,10 @@ struct WifCounting {
   int shaft = 1;
   int colour = 1;
   int note = 1;
+  std::vector<std::string> fromOne;  ///< sections of single threads that count from 1, whatever the threads do
+
+  /// The number that the first line of a section of single threads has: of WARP COLORS, WEFT SPACING...
+  int firstLine(std::string_view section) const;
 };
 
 /// How a file counts: from 0 what has a line 0, unless it has the line of the last as well, which comes only where 1 is

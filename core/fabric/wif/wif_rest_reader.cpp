@@ -64,7 +64,7 @@ ReadUnit readUnit(const WifSections& sections, System system, WifWarnings& warni
   return {};
 }
 
-WifSizes readSizes(const WifSections& sections, System system, int first, WifWarnings& warnings) {
+WifSizes readSizes(const WifSections& sections, System system, const WifCounting& counting, WifWarnings& warnings) {
   WifSizes sizes;
   const ReadUnit written = readUnit(sections, system, warnings);
   sizes.unit = written.unit;
@@ -76,10 +76,12 @@ WifSizes readSizes(const WifSections& sections, System system, int first, WifWar
   common("spacing", sizes.spacing);
   common("thickness", sizes.thickness);
   const auto single = [&](const char* section, std::map<int, double>& values) {
-    const WifSection* const found = sections.find(sectionName(system, section));
-    forEachNumbered(found, first, Weave::kMaxSide, "thread", warnings, [&](int number, const WifEntry& entry) {
-      if (const auto value = length(*found, entry, written.factor, warnings)) values[number] = *value;
-    });
+    const std::string name = sectionName(system, section);
+    const WifSection* const found = sections.find(name);
+    forEachNumbered(found, counting.firstLine(name), Weave::kMaxSide, "thread", warnings,
+                    [&](int number, const WifEntry& entry) {
+                      if (const auto value = length(*found, entry, written.factor, warnings)) values[number] = *value;
+                    });
   };
   single(" SPACING", sizes.spacings);
   single(" THICKNESS", sizes.thicknesses);
@@ -126,8 +128,8 @@ const std::vector<KnownKeys>& knownKeys() {
 /// The key as files that count from 1 have it, which is how it is handed back: of lines about single threads.
 std::string keptKey(const WifSection& section, const WifEntry& entry, const WifCounting& counting) {
   const bool ofThreads = section.name.ends_with(" SYMBOLS") || section.name.ends_with(" ZOOM");
-  const int first = section.name.starts_with("WARP") ? counting.end : counting.pick;
-  const std::optional<int> number = ofThreads && first == 0 ? wifWhole(entry.key) : std::nullopt;
+  const std::optional<int> number =
+      ofThreads && counting.firstLine(section.name) == 0 ? wifWhole(entry.key) : std::nullopt;
   return number && *number >= 0 && *number < Weave::kMaxSide ? fmt::format("{}", *number + 1) : std::string(entry.key);
 }
 
@@ -174,8 +176,8 @@ std::vector<WifLines> readKept(const WifSections& sections, const WifCounting& c
 WifRest readWifRest(const WifSections& sections, const WifCounting& counting, WifWarnings& warnings) {
   WifRest rest;
   rest.palette = readWifPalette(sections, counting, warnings);
-  rest.warp = readSizes(sections, System::warp, counting.end, warnings);
-  rest.weft = readSizes(sections, System::weft, counting.pick, warnings);
+  rest.warp = readSizes(sections, System::warp, counting, warnings);
+  rest.weft = readSizes(sections, System::weft, counting, warnings);
   rest.kept = readKept(sections, counting, !rest.palette.colours.empty());
   return rest;
 }
