@@ -20,6 +20,14 @@ glm::ivec3 WifPalette::nearest(const Rgb& srgb) const {
   return colour;
 }
 
+std::optional<int> freeWifNumber(const std::set<int>& taken) {
+  const int behind = taken.empty() ? 1 : *taken.rbegin() + 1;
+  if (behind <= kMaxWifNumber) return behind;
+  int free = kMaxWifNumber;
+  for (auto number = taken.rbegin(); number != taken.rend() && *number == free; ++number) --free;
+  return free > 0 ? std::optional(free) : std::nullopt;
+}
+
 double millimetres(double value, WifUnit unit) {
   constexpr double kInch_mm = 25.4;
   switch (unit) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -87,5 +88,8 @@ struct WifDocument {
 
 /// Largest number of a colour or of a note that is read.
 inline constexpr int kMaxWifNumber = 65536;
+/// The number for one more: behind all that are taken, from 1, or where those go up to the last, the largest that is
+/// free. Nothing where none is.
+std::optional<int> freeWifNumber(const std::set<int>& taken);
 
 }  // namespace loomlight

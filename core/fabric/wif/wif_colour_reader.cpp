@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <span>
 
 #include "core/base/text.h"
@@ -9,7 +10,7 @@
 #include "core/fabric/wif/wif_reader.h"
 
 // How it works. Colours are gathered as they are written: those of [COLOR TABLE], and those that Color= of [WARP]
-// and [WEFT] spells out, of which the ones without a number come behind all others. They are brought to red, green
+// and [WEFT] spells out, of which the ones without a number get one that is free. They are brought to red, green
 // and blue in the palette's range: from hexadecimal digits, from hue, saturation and value. The range is what [COLOR
 // PALETTE] says, or else the smallest usual one that all of them fit into. They stay whole numbers in that range
 // where they are such, so that a file is written as it was read; others become steps of 1/65535. Every end and pick
@@ -122,6 +123,26 @@ bool isWhole(double value) {
   return value == std::floor(value);
 }
 
+/// The number that the colour of a system gets which stands there without one: none that the file names. Nothing where
+/// no number is free.
+std::optional<int> ownNumber(const WifSections& sections, const WifCounting& counting, System system) {
+  std::set<int> named;
+  const auto name = [&](std::string_view text) {
+    const std::optional<int> number = counted(text, counting);
+    if (number && *number >= 1 && *number <= kMaxWifNumber) named.insert(*number);
+  };
+  if (const WifSection* const table = sections.find("COLOR TABLE"))
+    for (const WifEntry& entry : table->entries) name(entry.key);
+  for (const System each : {System::warp, System::weft}) {
+    const WifEntry* const entry = findEntry(sections, sectionName(each), "color");
+    const auto parts = entry ? wifList(entry->value) : std::vector<std::string_view>();
+    if (!parts.empty() && !isUnnumbered(sections, counting, each)) name(parts[0]);
+  }
+  if (system == System::weft && isUnnumbered(sections, counting, System::warp))
+    if (const auto ofWarp = ownNumber(sections, counting, System::warp)) named.insert(*ofWarp);
+  return freeWifNumber(named);
+}
+
 std::map<int, Written> writtenColours(const WifSections& sections, const WifCounting& counting, WifWarnings& warnings) {
   std::map<int, Written> colours;
   const WifSection* const table = sections.find("COLOR TABLE");
@@ -138,22 +159,17 @@ std::map<int, Written> writtenColours(const WifSections& sections, const WifCoun
     if (const auto colour = written(*sections.find(sectionName(system)), *entry, 1, warnings))
       colours[*number] = *colour;
   }
-  // Those without a number come behind all others, the weft's last: ownNumber() finds them there.
   for (const System system : {System::warp, System::weft}) {
     if (!isUnnumbered(sections, counting, system)) continue;
     const WifEntry& entry = *findEntry(sections, sectionName(system), "color");
-    const int number = colours.empty() ? 1 : colours.rbegin()->first + 1;
-    colours[number] = *written(wifList(entry.value));
+    const std::optional<int> number = ownNumber(sections, counting, system);
+    if (number) colours[*number] = *written(wifList(entry.value));
     warnings.add(entry.line, sectionName(system), entryText(entry),
-                 "A colour stands here without its number; it is read as red, green and blue.", WifConcern::look);
+                 number ? "A colour stands here without its number; it is read as red, green and blue."
+                        : "A colour stands here without its number, and no number is free; it is passed over.",
+                 WifConcern::look);
   }
   return colours;
-}
-
-/// The number that a system's colour without one was given.
-int ownNumber(const WifSections& sections, const WifCounting& counting, System system, const WifPalette& palette) {
-  const int last = palette.colours.rbegin()->first;
-  return system == System::warp && isUnnumbered(sections, counting, System::weft) ? last - 1 : last;
 }
 
 std::string formOf(const WifSections& sections) {
@@ -262,7 +278,7 @@ std::vector<int> readWifColours(const WifSections& sections, const WifCounting& 
     const std::vector<std::string_view> parts = wifList(entry.value);
     if (parts.empty()) return 0;
     if (&entry == findEntry(sections, sectionName(system), "color") && isUnnumbered(sections, counting, system))
-      return ownNumber(sections, counting, system, palette);
+      return ownNumber(sections, counting, system).value_or(0);
     const std::optional<int> number = counted(parts[0], counting);
     if (number && palette.colours.count(*number) > 0) return *number;
     warnings.add(entry.line, section, entryText(entry), fmt::format("There is no colour of this number; {}.", instead));

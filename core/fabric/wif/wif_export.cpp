@@ -95,21 +95,23 @@ std::optional<int> numberFromFile(const Fabric& fabric, int yarn, const WifPalet
   return isThere && given.absorption_per_mm == absorptionOf(fabric, yarn) ? std::optional(given.colour) : std::nullopt;
 }
 
-/// A number for the colour of a yarn: of the palette where it has one that dyes the fibre just as it is, else a new one
-/// behind.
+/// A number for the colour of a yarn: of the palette where it has one that dyes the fibre just as it is, else a free
+/// one.
 int numberInPalette(const Fabric& fabric, int yarn, WifPalette& palette, const std::string& file) {
   const Fibre& fibre = fabric.fibres[fabric.yarns[yarn].fibre];
   const auto there = std::find_if(palette.colours.begin(), palette.colours.end(), [&](const auto& entry) {
     return dyed(fibre, linearFromSrgb(palette.srgb(entry.second))).absorption_per_mm == fibre.absorption_per_mm;
   });
   if (there != palette.colours.end()) return there->first;
-  const int number = palette.colours.empty() ? 1 : palette.colours.rbegin()->first + 1;
-  if (number > kMaxWifNumber)
+  std::set<int> taken;
+  for (const auto& [number, colour] : palette.colours) taken.insert(number);
+  const std::optional<int> free = freeWifNumber(taken);
+  if (!free)
     throw InputError(fmt::format("{}: COLOR TABLE: expected a free number up to {} for another colour, got none", file,
                                  kMaxWifNumber));
   const Rgb shown = fibreReflectance(fibre);
-  palette.colours[number] = palette.nearest(srgbFromLinear(shown));
-  return number;
+  palette.colours[*free] = palette.nearest(srgbFromLinear(shown));
+  return *free;
 }
 
 /// A number of the palette for every yarn in use; yarns of one colour share it. Yarns that came without a colour stay

@@ -285,6 +285,12 @@ TEST(WifFabric, ColourNumbersStayAsTheyWere) {
   EXPECT_EQ(after.rest.palette.colours.size(), before.rest.palette.colours.size() + 1);
 }
 
+TEST(WifFabric, AnotherColourFindsANumberBesideTheLast) {
+  Fabric fabric = imported(replaced(twillFile(), "4=120,80,3\n", "65536=120,80,3\n"));
+  fabric.fibres[fabric.yarns[fabric.weftYarn(0)].fibre].absorption_per_mm = Rgb(9, 4, 1);
+  EXPECT_EQ(document(wifFromFabric(fabric, "y.wif").text).weftColours[0], 65535);
+}
+
 TEST(WifFabric, ADraftWithoutColoursGoesOutWithoutThem) {
   std::string text = twillFile();
   text = replaced(replaced(text, "Color=1\n", ""), "Color=3\n", "");

@@ -315,6 +315,33 @@ TEST(WifReader, HuesInDegreesAreTold) {
   EXPECT_THAT(warningsOf(outside), Contains(HasSubstr("4: The numbers of a colour go from 0 to 255")));
 }
 
+TEST(WifReader, AColourWithoutANumberTakesAFreeOne) {
+  std::string text = replaced(twillFile(), "3=0,0,0\n4=120,80,3\n", "3=0,0,0\n65536=120,80,3\n");
+  text = replaced(text, "Color=3\n", "Color=200,10,30\n");
+  EXPECT_THAT(document(text).weftColours, testing::Each(65535));
+  EXPECT_EQ(document(text).rest.palette.colours.at(65535), glm::ivec3(200, 10, 30));
+  const WifDocument both = document(replaced(text, "Color=1\n", "Color=9,8,7\n") + "[WARP COLORS]\n1=\n");
+  EXPECT_EQ(both.rest.palette.colours.at(65535), glm::ivec3(9, 8, 7));
+  EXPECT_EQ(both.rest.palette.colours.at(65534), glm::ivec3(200, 10, 30));
+  EXPECT_THAT(both.weftColours, testing::Each(65534));
+  EXPECT_EQ(both.warpColours[0], 65535);
+}
+
+TEST(WifReader, AColourWithoutANumberIsNotWhatAnotherLineNames) {
+  const WifDocument d =
+      document(replaced(replaced(twillFile(), "Color=1\n", "Color=5\n"), "Color=3\n", "Color=9,8,7\n"));
+  EXPECT_THAT(d.weftColours, testing::Each(6));
+  EXPECT_EQ(d.rest.palette.colours.count(5), 0u) << "the warp's number has no colour";
+}
+
+TEST(WifReader, WhereNoNumberIsFreeAColourWithoutOneIsPassedOver) {
+  std::string table = "[COLOR TABLE]\n";
+  for (int number = 1; number <= kMaxWifNumber; ++number) table += std::to_string(number) + "=1,2,3\n";
+  const std::string text = replaced(twillFile(), "Color=3\n", "Color=70000,10,30\n") + table;
+  EXPECT_THAT(document(text).weftColours, testing::Each(0));
+  EXPECT_THAT(warningsOf(text), Contains(HasSubstr("no number is free; it is passed over")));
+}
+
 TEST(WifReader, LikeWarningsAreCounted) {
   std::string text = twillFile() + "[WEFT COLORS]\n";
   for (int n = 0; n < 1000; ++n) text += "0=1\n";
