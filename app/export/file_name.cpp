@@ -33,7 +33,7 @@ bool isFabricFile(const std::string& file) {
 
 bool isWeavingFile(const std::string& file) {
   const std::string extension = lowerExtension(file);
-  return extension == ".wif" || extension == ".dtx" || extension == ".txt";
+  return extension == ".wif" || extension == ".plm" || extension == ".dtx" || extension == ".txt";
 }
 
 std::optional<std::string> programOfForeignDraft(const std::string& file) {

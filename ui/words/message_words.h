@@ -32,9 +32,9 @@ inline constexpr const char* forgetIt = "Forget it";
 // What came of a file
 inline constexpr const char* unopenedTitle = "This file cannot be opened";
 inline constexpr const char* unknownKind =
-    "{}: expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh (.obj, .ply, .off), an "
-    "environment (.exr), a palette (.ase, .aco, .gpl, .csv), a measured swatch (.cxf, .qtx, .csv, CGATS .txt), a "
-    "lamp (two columns of text: nm and power) or a colour profile (.icc, .icm)";
+    "{}: expected a cloth (.loomlight, .json), a draft (.wif, .plm, .dtx), a picture (.png), a mesh (.obj, .ply, "
+    ".off), an environment (.exr), a palette (.ase, .aco, .gpl, .csv), a measured swatch (.cxf, .qtx, .csv, CGATS "
+    ".txt), a lamp (two columns of text: nm and power) or a colour profile (.icc, .icm)";
 inline constexpr const char* foreignDraft =
     "{0}: files of {1}'s own are not read. Save the draft as WIF in {1}, and open that";
 inline constexpr const char* looksOtherwise = "It looks other than when it was saved";

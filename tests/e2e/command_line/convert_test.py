@@ -88,6 +88,14 @@ class Convert(CommandLineTest):
         self.assertEqual(fabric["draft"]["treadling"], [1, 2])
         self.assertEqual(fabric["ends_per_cm"], 10)
 
+    def test_wif_by_the_ending_of_pixeloom_is_read(self):
+        self.run_program("convert", self.fabric(), "a.wif")
+        text = self.bytes_of("a.wif").replace(b"[THREADING]\r\n", b"[THREADING]\r\n;[4]Ground\r\n")
+        (self.folder / "b.plm").write_bytes(text)
+        self.run_program("convert", "a.wif", "a.png")
+        self.run_program("convert", "b.plm", "b.png")
+        self.assertEqual(read_png(self.folder / "a.png"), read_png(self.folder / "b.png"))
+
     def test_a_text_draft_of_fiberworks_becomes_a_wif_draft(self):
         (self.folder / "a.dtx").write_text("@@StartDTX\n@@Info\n%%shafts 2\n%%treadles 2\n%%ends 3\n%%picks 2\n"
                                            "@@Threading\n1 2 1\n@@Tieup\n01\n10\n@@Treadling\n2 1\n@@EndDTX\n")

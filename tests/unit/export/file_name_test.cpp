@@ -24,6 +24,13 @@ TEST(FileName, BothEndingsAreFabrics) {
     EXPECT_FALSE(isFabricFile(file)) << file;
 }
 
+TEST(FileName, WeavingFilesHaveSeveralEndings) {
+  for (const char* file : {"twill.wif", "TWILL.WIF", "twill.plm", "twill.dtx", "twill.wif.txt"})
+    EXPECT_TRUE(isWeavingFile(file)) << file;
+  for (const char* file : {"twill.wpo", "plm", "twill.plm.png", "twill.json"})
+    EXPECT_FALSE(isWeavingFile(file)) << file;
+}
+
 TEST(FileName, TellsWhoseDraftsAreNotRead) {
   EXPECT_EQ(programOfForeignDraft("tea.towel.WPO"), "WeavePoint");
   EXPECT_EQ(programOfForeignDraft("twill.twa"), "TempoWeave");
