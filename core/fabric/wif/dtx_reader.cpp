@@ -52,8 +52,7 @@ class DtxReader {
     document_.weftColours = colours("weft colors", picks_);
     document_.rest.warp = sizes("warp spacing", ends_);
     document_.rest.weft = sizes("weft spacing", picks_);
-    if (const Section* title = find("description"); title && !title->lines.empty())
-      document_.title = title->lines.front();
+    if (const Section* title = find("description")) document_.title = fmt::format("{}", fmt::join(title->lines, " "));
     if (const Section* notes = find("notes")) document_.notes = notes->lines;
     if (const Section* imprint = find("imprint"); imprint && !imprint->lines.empty())
       document_.program = "Fiberworks " + imprint->lines.front();

@@ -57,7 +57,7 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
 /// The fabric with sett and yarn diameters of the weaving file it came from: what WifSizeChoice::file does, at any time
 /// later. Says in `warnings` what the file asks for beyond the range of a fabric.
 Fabric withWifSizes(Fabric fabric, std::vector<WifWarning>& warnings);
-/// What the file says of sett where the fabric has another: for those who are not asked which to use.
+/// What the file says of sett and yarn where the fabric has others: for those who are not asked which to use.
 std::vector<WifWarning> otherWifSizes(const Fabric& fabric);
 
 /// The fabric with so many ends and picks only, from the first; 0 leaves a system as it is.

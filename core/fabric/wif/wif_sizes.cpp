@@ -34,18 +34,17 @@ int usualYarn(const Fabric& fabric, System system) {
   return mostCommon(usual.empty() ? sequence : usual);
 }
 
-/// What a system's yarns are scaled by, so that the usual one gets this diameter.
-double scaleOf(const Fabric& fabric, System system, double diameter_mm) {
+double usualDiameter_mm(const Fabric& fabric, System system) {
   const Yarn& usual = fabric.yarns[usualYarn(fabric, system)];
-  return diameter_mm / yarnDiameter_mm(usual, meanFibre(usual, fabric.fibres));
+  return yarnDiameter_mm(usual, meanFibre(usual, fabric.fibres));
 }
 
-/// Gives the yarns the file's diameters. Both scales are of the yarns as they were: where warp and weft share the yarn
-/// that most threads have, the second would find it scaled already, and leave all others of its threads behind. A yarn
-/// of both systems takes the warp's.
+/// Gives the yarns the file's diameters: a system's are scaled so that the usual one gets its. Both scales are of the
+/// yarns as they were: where warp and weft share the yarn that most threads have, the second would find it scaled
+/// already, and leave all others of its threads behind. A yarn of both systems takes the warp's.
 void scaleYarns(Fabric& fabric, const WifSett& sett, Warnings& warnings) {
   const auto scale = [&fabric](System system, std::optional<double> diameter_mm) {
-    return diameter_mm ? std::optional(scaleOf(fabric, system, *diameter_mm)) : std::nullopt;
+    return diameter_mm ? std::optional(*diameter_mm / usualDiameter_mm(fabric, system)) : std::nullopt;
   };
   const std::pair<System, std::optional<double>> scales[] = {{System::warp, scale(System::warp, sett.warpDiameter_mm)},
                                                              {System::weft, scale(System::weft, sett.weftDiameter_mm)}};
@@ -91,6 +90,16 @@ std::vector<WifWarning> otherWifSizes(const Fabric& fabric) {
   };
   note("ends", sett.ends_per_cm, fabric.ends_per_cm);
   note("picks", sett.picks_per_cm, fabric.picks_per_cm);
+  const auto noteYarn = [&](const char* yarn, System system, std::optional<double> file_mm) {
+    constexpr double kSame = 0.01;  // a yarn of a whole number of fibres may be off by that much
+    const double mine_mm = file_mm ? usualDiameter_mm(fabric, system) : 0;
+    if (file_mm && std::abs(*file_mm - mine_mm) > kSame * mine_mm)
+      warnings.push_back(
+          {fmt::format("The file's {} yarn is {:.3g} mm thick; the cloth keeps {:.3g} mm.", yarn, *file_mm, mine_mm),
+           {}});
+  };
+  noteYarn("warp", System::warp, sett.warpDiameter_mm);
+  noteYarn("weft", System::weft, sett.weftDiameter_mm);
   return warnings;
 }
 

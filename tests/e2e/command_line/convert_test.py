@@ -96,6 +96,14 @@ class Convert(CommandLineTest):
         self.run_program("convert", "b.plm", "b.png")
         self.assertEqual(read_png(self.folder / "a.png"), read_png(self.folder / "b.png"))
 
+    def test_a_draft_of_thick_yarns_says_which_option_takes_them(self):
+        draft = ("[WIF]\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=1\n[WARP]\nThreads=2\nUnits=cm\n"
+                 "Thickness=.1\n[WEFT]\nThreads=2\n[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n")
+        (self.folder / "a.wif").write_text(draft)
+        said = self.run_program("convert", "a.wif", "a.json", messages=True)
+        self.assertIn("The file's warp yarn is 1 mm thick", said)
+        self.assertIn("--wif-sizes file takes", said)
+
     def test_a_text_draft_of_fiberworks_becomes_a_wif_draft(self):
         (self.folder / "a.dtx").write_text("@@StartDTX\n@@Info\n%%shafts 2\n%%treadles 2\n%%ends 3\n%%picks 2\n"
                                            "@@Threading\n1 2 1\n@@Tieup\n01\n10\n@@Treadling\n2 1\n@@EndDTX\n")

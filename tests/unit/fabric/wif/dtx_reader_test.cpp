@@ -100,6 +100,12 @@ TEST(DtxReader, ReadsADraft) {
   EXPECT_TRUE(d.rest.warp.spacings.empty());
 }
 
+TEST(DtxReader, ADescriptionOfSeveralLinesIsKept) {
+  const std::string text = replaced(dtxFile(), "Three shafts\n", "Three shafts,\n\n  after an old book\n");
+  EXPECT_EQ(read(text).document.title, "Three shafts, after an old book");
+  EXPECT_EQ(read(replaced(dtxFile(), "Three shafts\n", "")).document.title, "");
+}
+
 TEST(DtxReader, ASinkingShedAndALiftplan) {
   EXPECT_FALSE(read(replaced(dtxFile(), "@@Tieup\n", "@@Tieup\n%%%%sinking\n")).document.draft.risingShed);
   const std::string lifts = replaced(dtxFile(), "@@Treadling\n 1  2, 4  3\n", "@@Liftplan\n101\n010\n111\n");

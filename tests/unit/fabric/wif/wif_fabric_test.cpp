@@ -108,6 +108,7 @@ TEST(WifFabric, KeepsMySizesOrTakesTheFiles) {
   const WifImport kept = fabricFromWif(twillFile(), "x.wif", Fabric{}, WifSizeChoice::keep);
   EXPECT_EQ(kept.fabric.ends_per_cm, Fabric{}.ends_per_cm);
   EXPECT_THAT(inLines(otherWifSizes(kept.fabric)), Contains("The file has 16.87 picks per cm; the cloth keeps 20."));
+  EXPECT_THAT(inLines(otherWifSizes(kept.fabric)), Contains(HasSubstr("The file's warp yarn is 0.4 mm thick")));
   EXPECT_EQ(wifSett(kept.fabric).ends_per_cm, 20);
   EXPECT_NEAR(*wifSett(kept.fabric).warpDiameter_mm, 0.4, 1e-9);
 
@@ -121,6 +122,7 @@ TEST(WifFabric, KeepsMySizesOrTakesTheFiles) {
   EXPECT_NEAR(diameter(taken, taken.weftYarn(0)), diameter(Fabric{}, 0), 1e-9) << "the file does not say how thick";
   std::vector<WifWarning> warnings;
   EXPECT_EQ(withWifSizes(kept.fabric, warnings), taken) << "it can be done later";
+  EXPECT_THAT(otherWifSizes(taken), testing::IsEmpty()) << "they are the file's now";
 }
 
 // Warp and weft have their commonest yarn in common, the weft another one besides: it is scaled like the rest.
