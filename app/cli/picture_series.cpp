@@ -56,11 +56,15 @@ FrameRange parseFrames(const std::string& option, const std::string& text) {
   return range;
 }
 
-Fabric inFrame(Fabric fabric, const Turntable& turn, int frame) {
-  if (turn.what == Turntable::What::light && !hasDirection(fabric.light.kind))
+void expectTurnable(const Turntable& turn, LightKind light) {
+  if (turn.what == Turntable::What::light && !hasDirection(light))
     throw UsageError(
         "--turn light: expected a light with a direction: sky, window, booth, directional or ibl; choose one by "
         "--light");
+}
+
+Fabric inFrame(Fabric fabric, const Turntable& turn, int frame) {
+  expectTurnable(turn, fabric.light.kind);
   if (frame == 1) return fabric;
   double& azimuth_deg = turn.what == Turntable::What::camera ? fabric.camera.azimuth_deg : fabric.light.azimuth_deg;
   azimuth_deg = std::remainder(azimuth_deg + (frame - 1) * turn.degrees / turn.frames, 360.0);

@@ -26,6 +26,9 @@ Turntable parseTurntable(const std::string& option, const std::string& text);
 /// 7 or 1..36. Throws UsageError.
 FrameRange parseFrames(const std::string& option, const std::string& text);
 
+/// Throws UsageError where it is the light that turns, and this one has no direction.
+void expectTurnable(const Turntable& turn, LightKind light);
+
 /// The fabric as it is seen in a frame: the first one is the fabric as it is, each other one is a step of degrees /
 /// frames further. Throws UsageError where the light has no direction to turn.
 Fabric inFrame(Fabric fabric, const Turntable& turn, int frame);
@@ -36,8 +39,8 @@ std::string nameInSeries(const std::string& pattern, const std::string& input, s
 bool namesFabrics(const std::string& pattern);
 bool namesFrames(const std::string& pattern);
 
-/// The lines of a text file but empty ones and those that begin with #, as names seen from its folder. Throws
-/// InputError where it cannot be read, or names nothing.
+/// The lines of a text file but empty ones and those that begin with #, as names seen from its folder; a file whose
+/// name begins with # is ./#name. Throws InputError where the text cannot be read, or names nothing.
 std::vector<std::string> namesInList(const std::string& file);
 
 }  // namespace loomlight

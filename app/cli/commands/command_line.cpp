@@ -92,7 +92,9 @@ void addRender(CLI::App& app, RenderCommand& command) {
                  "the picture: .exr or .png; of several, {} is the fabric's name and #### the frame's number")
       ->type_name("OUT")
       ->required();
-  app.add_option("--list", command.list, "a text file with the name of a fabric in each line")->type_name("FILE");
+  app.add_option("--list", command.list,
+                 "a text file with the name of a fabric in each line (./#NAME where it begins with #)")
+      ->type_name("FILE");
   addWifChoices(app, command.wif);
   addPartOptions(app, command.part);
   addSeriesOptions(app, command);

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <map>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "app/cli/commands/render_picture.h"
 #include "app/cli/usage_error.h"
@@ -34,20 +38,35 @@ std::vector<RenderOrder> jobsOf(const RenderCommand& command) {
   return jobs;
 }
 
-/// Throws UsageError where one picture would be written over another.
-void expectDistinct(const std::vector<RenderOrder>& jobs) {
+/// Throws UsageError where two pictures would be written to one file, or the figures of two (`file`, named by
+/// `option`).
+void expectDistinct(const std::vector<RenderOrder>& jobs, const char* option, std::string RenderOrder::* file) {
   std::map<std::string, const RenderOrder*> taken;
   for (const RenderOrder& job : jobs) {
-    const auto [other, isNew] = taken.try_emplace(job.output, &job);
+    const std::string& name = job.*file;
+    if (name.empty()) continue;
+    const auto [other, isNew] = taken.try_emplace(name, &job);
     if (isNew) continue;
     const std::string& before = other->second->input;
     throw UsageError(
         before == job.input
-            ? fmt::format("--output: expected #### in '{}', where the number of the frame goes", job.output)
-            : fmt::format("--output: expected {{}} for the names of fabrics, so that {} and {} are not "
-                          "both '{}'",
-                          before, job.input, job.output));
+            ? fmt::format("{}: expected #### in '{}', where the number of the frame goes", option, name)
+            : fmt::format("{}: expected {{}} for the names of fabrics, so that {} and {} are not both '{}'", option,
+                          before, job.input, name));
   }
+}
+
+/// Throws UsageError where the options contradict one another, whatever the fabrics are: nothing is rendered then. What
+/// only some fabrics contradict is found out as each is rendered.
+void expectTogether(const RenderCommand& command) {
+  const FabricOptions& options = command.options;
+  const PartChoice& part = command.part;
+  if (!command.stats.empty() && command.stats == command.output)
+    throw UsageError(fmt::format("--stats: expected another file than the picture's, '{}'", command.output));
+  if (command.turn && options.light) expectTurnable(*command.turn, options.light->kind);
+  if (options.size && part.crop) expectWindowIn(options.size->width, options.size->height, *part.crop);
+  if (options.samplesPerPixel)
+    expectSamplesAmong(*options.samplesPerPixel, part.firstSample.value_or(0), part.samples.value_or(0));
 }
 
 void tellBegun(const RenderCommand& command, const std::vector<RenderOrder>& jobs, size_t i) {
@@ -58,16 +77,27 @@ void tellBegun(const RenderCommand& command, const std::vector<RenderOrder>& job
   fmt::print(stderr, "{{\"stage\":\"picture\",\"number\":{},\"of\":{}}}\n", i + 1, jobs.size());
 }
 
-/// Renders one of several pictures. False where it failed, which is told.
-bool tried(const RenderCommand& command, const RenderOrder& job, const Interrupt& interrupt, ReusableCloth& built,
-           int& status) {
+bool areOfOneFabric(const std::vector<RenderOrder>& jobs) {
+  return std::all_of(jobs.begin(), jobs.end(), [&](const RenderOrder& job) { return job.input == jobs[0].input; });
+}
+
+/// Renders one of several pictures. False where it failed, which is told. An option that does not fit this fabric may
+/// fit the others; throws UsageError where there are none.
+bool tried(const RenderCommand& command, const std::vector<RenderOrder>& jobs, size_t i, const Interrupt& interrupt,
+           ReusableCloth& built, int& status) {
+  const RenderOrder& job = jobs[i];
   try {
     status = renderPicture(command, job, interrupt, built);
     return true;
   } catch (const InputError& error) {
     fmt::print(stderr, "loomlight: {}\n", error.what());
+  } catch (const UsageError& error) {
+    if (areOfOneFabric(jobs)) throw;
+    fmt::print(stderr, "loomlight: {}: {}\n", job.input, error.what());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "loomlight: {}: there is not enough memory for this\n", job.input);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "loomlight: {}: {}\n", job.input, error.what());
   }
   built = {};
   return false;
@@ -80,7 +110,7 @@ int renderAll(const RenderCommand& command, const std::vector<RenderOrder>& jobs
     tellBegun(command, jobs, i);
     if (i > 0 && jobs[i].input != jobs[i - 1].input) built = {};
     int status = 0;
-    if (!tried(command, jobs[i], interrupt, built, status)) failed.push_back(jobs[i].output);
+    if (!tried(command, jobs, i, interrupt, built, status)) failed.push_back(jobs[i].output);
     if (status == 0) continue;
     fmt::print("stopped in picture {} of {}, {} failed\n", i + 1, jobs.size(), failed.size());
     return status;
@@ -93,8 +123,10 @@ int renderAll(const RenderCommand& command, const std::vector<RenderOrder>& jobs
 }  // namespace
 
 int run(const RenderCommand& command) {
+  expectTogether(command);
   const std::vector<RenderOrder> jobs = jobsOf(command);
-  expectDistinct(jobs);
+  expectDistinct(jobs, "--output", &RenderOrder::output);
+  expectDistinct(jobs, "--stats", &RenderOrder::stats);
   const Interrupt interrupt;
   ReusableCloth built;
   return jobs.size() == 1 ? renderPicture(command, jobs.front(), interrupt, built)

@@ -43,9 +43,9 @@ struct RenderCommand {
   ProgressStyle progress = ProgressStyle::plain;
 };
 
-/// Renders, and writes the picture or pictures; one of several that cannot be rendered is told, and those behind it are
-/// rendered. Exit status: 0; 1 where one of several failed; 130 where Ctrl-C ended it early (the picture then holds
-/// what was rendered). Throws InputError and UsageError.
+/// Renders, and writes the picture or pictures; one of several that cannot be rendered, be it that an option does not
+/// fit its fabric, is told, and those behind it are rendered. Exit status: 0; 1 where one of several failed; 130 where
+/// Ctrl-C ended it early (the picture then holds what was rendered). Throws InputError and UsageError.
 int run(const RenderCommand& command);
 
 }  // namespace loomlight

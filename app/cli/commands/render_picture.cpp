@@ -33,19 +33,10 @@ struct Begun {
 
 SampleBox boxOf(const PartChoice& choice, const RenderSettings& settings, const SampleBox& fallback) {
   const PixelRect window = choice.crop.value_or(fallback.window());
-  if (window.x + window.width > settings.width || window.y + window.height > settings.height)
-    throw UsageError(fmt::format("--crop: expected pixels of the {} x {} of the picture, got {},{},{}x{}",
-                                 settings.width, settings.height, window.x, window.y, window.width, window.height));
+  expectWindowIn(settings.width, settings.height, window);
   const int first = choice.firstSample.value_or(fallback.low.z);
-  const int most = settings.samplesPerPixel - first;
-  if (most < 1)
-    throw UsageError(fmt::format("--samples-from: expected a number below the {} samples of --spp, got {}",
-                                 settings.samplesPerPixel, first));
   const int samples = choice.samples.value_or(fallback.high.z - first);
-  if (samples > most)
-    throw UsageError(
-        fmt::format("--samples: expected at most {}, which with those before makes the {} of --spp, got {}", most,
-                    settings.samplesPerPixel, samples));
+  expectSamplesAmong(settings.samplesPerPixel, first, samples);
   return SampleBox::of(window, first, samples);
 }
 
@@ -196,6 +187,23 @@ void tellWritten(const RenderOrder& job, uint32_t samples, bool complete, double
 }
 
 }  // namespace
+
+void expectWindowIn(int width, int height, const PixelRect& window) {
+  if (window.x + window.width > width || window.y + window.height > height)
+    throw UsageError(fmt::format("--crop: expected pixels of the {} x {} of the picture, got {},{},{}x{}", width,
+                                 height, window.x, window.y, window.width, window.height));
+}
+
+void expectSamplesAmong(int samplesPerPixel, int first, int samples) {
+  const int most = samplesPerPixel - first;
+  if (most < 1)
+    throw UsageError(
+        fmt::format("--samples-from: expected a number below the {} samples of --spp, got {}", samplesPerPixel, first));
+  if (samples > most)
+    throw UsageError(
+        fmt::format("--samples: expected at most {}, which with those before makes the {} of --spp, got {}", most,
+                    samplesPerPixel, samples));
+}
 
 int renderPicture(const RenderCommand& command, const RenderOrder& job, const Interrupt& interrupt,
                   ReusableCloth& built) {

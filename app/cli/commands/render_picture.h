@@ -23,6 +23,11 @@ struct ReusableCloth {
   MediumCost cost;
 };
 
+/// Throws UsageError where the window is not within a picture of so many pixels.
+void expectWindowIn(int width, int height, const PixelRect& window);
+/// Throws UsageError where `samples` samples from `first` on, counted from 0, are not among those of a pixel.
+void expectSamplesAmong(int samplesPerPixel, int first, int samples);
+
 /// Renders a picture, or the part of it that the command asks for, and writes it. Exit status: 0, or 130 where it was
 /// stopped. Throws InputError and UsageError.
 int renderPicture(const RenderCommand& command, const RenderOrder& job, const Interrupt& interrupt,

@@ -43,6 +43,48 @@ class Batch(CommandLineTest):
         self.assertTrue((self.folder / "one.stats.json").exists())
         self.assertIn("2 of 2", self.run_program("render", "one.json", "two.json", "-o", "{}.png"))
 
+    def test_a_list_goes_on_after_an_option_that_does_not_fit_a_fabric(self):
+        """But not after one that fits none: nothing is rendered then."""
+        sky = {"kind": "sky", "azimuth_deg": 100, "elevation_deg": 30}
+        small = {**SMALL["render"], "width": 16, "samples_per_pixel": 2}
+        self.fabric("first.json", light=sky)
+        self.fabric("second.json", light={"kind": "dome"}, render=small)
+        self.fabric("third.json", light=sky)
+        fabrics = ("first.json", "second.json", "third.json")
+        for options, said in (
+            (("--turn", "light:2"), "second.json: --turn light: expected"),
+            (("--crop", "10,10,8x8"), "second.json: --crop: expected"),
+            (("--samples-from", 3), "second.json: --samples-from: expected"),
+            (("--samples", 3), "second.json: --samples: expected"),
+        ):
+            with self.subTest(options=options):
+                frames = 2 if "--turn" in options else 1
+                pattern = "{}." + options[0] + (".#" if frames > 1 else "") + ".exr"
+                done = self.run_both("render", *fabrics, "-o", pattern, *options, status=1)
+                self.assertIn(f"{2 * frames} of {3 * frames} pictures rendered", done.stdout)
+                self.assertIn("failed: second.", done.stdout)
+                self.assertIn(said, done.stderr)
+                pictures = sorted({file.name.split(".")[0] for file in self.folder.glob(f"*{options[0]}*.exr")})
+                self.assertEqual(pictures, ["first", "third"])
+        for options in (
+            ("--turn", "light:2", "--light", "dome"),
+            ("--size", "16x16", "--crop", "10,10,8x8"),
+            ("--spp", 3, "--samples-from", 3),
+            ("--spp", 3, "--samples", 4),
+        ):
+            with self.subTest(options=options):
+                done = self.run_both("render", *fabrics, "-o", "{}.none.#.exr", *options, status=2)
+                self.assertNotIn("picture 1 of", done.stderr)
+                self.assertEqual(list(self.folder.glob("*.none.*")), [])
+        alone = ("render", "second.json", "-o", "#.exr", "--turn", "light:2")
+        self.assertIn("direction", self.run_program(*alone, status=2), "there is no other fabric that it could fit")
+
+    def test_a_list_may_name_files_that_begin_like_its_remarks(self):
+        self.fabric("#4 twill.json")
+        (self.folder / "list.txt").write_text("#4 twill.json is a remark\n./#4 twill.json\n")
+        self.run_program("render", "--list", "list.txt", "-o", "{}.png")
+        self.assertEqual([file.name for file in self.folder.glob("*.png")], ["#4 twill.png"])
+
     def test_no_picture_is_written_over_another(self):
         os.mkdir(self.folder / "other")
         self.fabric("one.json")
@@ -50,6 +92,18 @@ class Batch(CommandLineTest):
         message = self.run_program("render", "one.json", "other/one.json", "-o", "{}.png", status=2)
         for said in ("one.json", "other/one.json", "one.png"):
             self.assertIn(said, message)
+
+    def test_no_figures_are_written_over_others(self):
+        one, other = self.fabric("one.json"), self.fabric("other.json")
+        several = ("render", one, other, "-o", "{}.png", "--stats", "s.json")
+        turned = ("render", one, "-o", "#.png", "--turn", "camera:2", "--stats", "{}.s.json")
+        for words, said in ((several, "{}"), (turned, "####"),
+                            (("render", one, "-o", "a.png", "--stats", "a.png"), "a.png")):
+            with self.subTest(words=words):
+                message = self.run_program(*words, status=2)
+                self.assertIn("--stats: expected", message)
+                self.assertIn(said, message)
+                self.assertEqual(list(self.folder.glob("*.png")), [])
 
     def test_progress_is_json_a_line(self):
         done = self.run_both("render", self.fabric(), "-o", "a.png", "--progress", "json")

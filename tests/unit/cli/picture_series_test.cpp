@@ -59,8 +59,9 @@ TEST(PictureSeries, ParsesWhatIsTurnedAndWhichFrames) {
 
 TEST(PictureSeries, AListNamesFilesFromItsFolder) {
   const test::ScratchFolder folder;
-  std::ofstream(folder.file("list.txt")) << "# ours\nb/denim.json\n\n/c/twill.wif\r\n";
-  EXPECT_THAT(namesInList(folder.file("list.txt")), ElementsAre(folder.file("b/denim.json"), "/c/twill.wif"));
+  std::ofstream(folder.file("list.txt")) << "# ours\nb/denim.json\n\n/c/twill.wif\r\n./#4 twill.json\n";
+  EXPECT_THAT(namesInList(folder.file("list.txt")),
+              ElementsAre(folder.file("b/denim.json"), "/c/twill.wif", folder.file("./#4 twill.json")));
 }
 
 }  // namespace
