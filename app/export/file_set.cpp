@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/utf8.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -19,13 +23,44 @@ void makeFolder(const fs::path& folder) {
     throw InputError(fmt::format("{}: expected a folder that can be made, got: {}", folder.string(), failed.message()));
 }
 
+fs::path lockIn(const fs::path& scratch) {
+  return scratch / ".lock";
+}
+
+/// A lock shows under its name only when it is held: whoever finds it free knows that its program has ended.
+std::optional<FileLock> lock(const fs::path& scratch) {
+  const fs::path beside = scratch / ".lock.new";
+  std::optional<FileLock> made = FileLock::make(beside);
+  std::error_code failed;
+  if (made) fs::rename(beside, lockIn(scratch), failed);
+  return made;
+}
+
+/// Removes the scratches of this beginning whose programs were killed.
+void sweep(const fs::path& folder, const std::string& beginning) {
+  std::vector<fs::path> left;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code unknown;
+    if (it->path().filename().string().starts_with(beginning) && fs::exists(lockIn(it->path()), unknown) &&
+        !FileLock::isHeld(lockIn(it->path())))
+      left.push_back(it->path());
+  }
+  for (const fs::path& scratch : left) fs::remove_all(scratch, error);
+}
+
 }  // namespace
 
 FileSet::FileSet(const std::string& folder, const std::string& name) : folder_(folder.empty() ? "." : folder) {
-  scratch_ = (fs::path(folder_) / fmt::format(".{}.unfinished", name)).string();
-  std::error_code none;
-  fs::remove_all(scratch_, none);
-  makeFolder(scratch_);
+  constexpr size_t kLongest = 100;  // bytes of the name; those behind them would make the folder's name too long
+  makeFolder(folder_);
+  const std::string beginning = fmt::format(".{}.unfinished-", wholeCharacters(name, kLongest));
+  sweep(folder_, beginning);
+  scratch_ = (fs::path(folder_) / (beginning + "XXXXXX")).string();
+  if (::mkdtemp(scratch_.data()) == nullptr)
+    throw InputError(fmt::format("{}: expected a folder in which files can be made, got: {}", folder_,
+                                 std::generic_category().message(errno)));
+  running_ = lock(scratch_);
 }
 
 FileSet::~FileSet() {
@@ -45,11 +80,13 @@ void FileSet::place() const {
     makeFolder(to.parent_path());
     expectWritable(to.string());
   }
-  for (const std::string& name : names_) {
-    const fs::path to = fs::path(folder_) / name;
+  for (size_t i = 0; i < names_.size(); ++i) {
+    const fs::path to = fs::path(folder_) / names_[i];
     std::error_code failed;
-    fs::rename(fs::path(scratch_) / name, to, failed);
-    if (failed) throw InputError(fmt::format("{}: cannot be put in its place: {}", to.string(), failed.message()));
+    fs::rename(fs::path(scratch_) / names_[i], to, failed);
+    if (failed)
+      throw InputError(fmt::format("{}: cannot be put in its place, so that only {} of {} files are the new ones: {}",
+                                   to.string(), i, names_.size(), failed.message()));
   }
 }
 

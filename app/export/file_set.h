@@ -1,15 +1,21 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/file_lock.h"
+
 namespace loomlight {
 
-/// Files that belong together. They are made in a folder of their own beside the old ones, and put in their places when
-/// all of them are whole: a full disk or a kill leaves the old ones, but in the instant in which they are renamed.
+/// Files that belong together. They are made in a folder of their own beside the old ones, and put in their places one
+/// after the other when all of them are whole. A full disk leaves the old ones. A kill leaves each file as it was or as
+/// it is now, never torn; a kill in the instant in which they are put in their places leaves some of either, and the
+/// others new and whole in the folder where they were made. Sets of one name that are made at the same time do not
+/// disturb one another: every file is then of one of them.
 class FileSet {
  public:
-  /// `folder`: where they will be; it is there. `name`: of what they are files of; what a killed program has left of it
+  /// `folder`: where they will be; it is there. `name`: of what they are files of; what killed programs have left of it
   /// is removed. Throws InputError where nothing can be made in the folder.
   FileSet(const std::string& folder, const std::string& name);
   ~FileSet();  ///< what is not in its place is gone
@@ -25,6 +31,7 @@ class FileSet {
 
  private:
   std::string folder_, scratch_;
+  std::optional<FileLock> running_;  ///< tells others that the scratch is in use; none where there are no locks
   std::vector<std::string> names_;
 };
 

@@ -63,8 +63,8 @@ struct TileReport {
 };
 /// Writes STEM.exr (all maps, linear; the opacity is a layer, as an alpha would mean colours that it has darkened),
 /// STEM_basecolor.png, _normal.png (y up), _height.png, _opacity.png, _yarn.png and STEM.json, which says what they
-/// are. The pictures carry their size as dots per inch. All files are there, or those that were there before. `names`:
-/// of the fabric's yarns. Throws InputError.
+/// are. The pictures carry their size as dots per inch. They are put in their places together (FileSet). `names`: of
+/// the fabric's yarns. Throws InputError.
 TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric& fabric, const TileExtent& extent,
                      const ClothMeasures& measures, const std::vector<std::string>& names);
 

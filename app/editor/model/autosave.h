@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/model/file_lock.h"
 #include "app/live/worker.h"
+#include "core/base/file_lock.h"
 #include "core/fabric/model/fabric.h"
 
 namespace loomlight {

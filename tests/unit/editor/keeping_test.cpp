@@ -11,13 +11,13 @@
 #include <thread>
 
 #include "app/editor/model/autosave.h"
-#include "app/editor/model/file_lock.h"
 #include "app/editor/model/left_work.h"
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/settings.h"
 #include "app/editor/presets/preset_folder.h"
 #include "app/editor/services/fabric_stats.h"
 #include "core/base/error.h"
+#include "core/base/file_lock.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
@@ -112,20 +112,6 @@ TEST(Autosave, SweepsLocksOfEditorsThatLeftNoCopy) {
   EXPECT_TRUE(fs::exists(young)) << "its editor may be about to lock it";
   EXPECT_TRUE(fs::exists(withCopy)) << "it goes with its copy";
   EXPECT_TRUE(fs::exists(held)) << "its editor is running, with nothing unsaved";
-}
-
-TEST(FileLock, OnlyWhatIsLockedIsHeld) {
-  const Folder folder;
-  fs::create_directories(folder.path);
-  const fs::path file = folder.path / "a.lock";
-  EXPECT_FALSE(FileLock::isHeld(file)) << "there is none";
-  {
-    const auto lock = FileLock::make(file);
-    ASSERT_TRUE(lock);
-    EXPECT_TRUE(FileLock::isHeld(file));
-    EXPECT_FALSE(FileLock::make(file)) << "a second time";
-  }
-  EXPECT_FALSE(FileLock::isHeld(file)) << "the file is left, unlocked";
 }
 
 TEST(Autosave, EditorsNeverShareACopy) {

@@ -1,6 +1,7 @@
 #include "app/export/file_set.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -51,14 +52,55 @@ TEST_F(FileSetTest, ThatCannotBePlacedLeavesTheOldFiles) {
   EXPECT_EQ(entries(), 2u) << "nothing is left of the set";
 }
 
+TEST_F(FileSetTest, SaysHowManyAreNewWhereOneCannotBeMoved) {
+  write("b", "old");
+  FileSet set(folder(), "tile");
+  writeFileAtomically(set.add("a"), "new");
+  set.add("b");  // and never made
+  const std::string said = test::messageOf<InputError>([&] { set.place(); });
+  EXPECT_NE(said.find("only 1 of 2 files"), std::string::npos) << said;
+  EXPECT_EQ(read("a"), "new");
+  EXPECT_EQ(read("b"), "old");
+}
+
 TEST_F(FileSetTest, RemovesWhatAKilledProgramHasLeft) {
-  fs::create_directory(fs::path(folder()) / ".tile.unfinished");
-  write(".tile.unfinished/c", "half");
+  const auto killed = [&] {
+    FileSet set(folder(), "tile");
+    writeFileAtomically(set.add("c"), "half");
+    ::_exit(0);
+  };
+  EXPECT_EXIT(killed(), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(entries(), 1u) << "what it has left";
+  {
+    const FileSet other(folder(), "file");
+  }
+  EXPECT_EQ(entries(), 1u) << "it is not of that name";
   {
     const FileSet set(folder(), "tile");
-    EXPECT_FALSE(fs::exists(set.pathOf("c")));
   }
   EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(FileSetTest, SetsOfOneNameAreMadeAtTheSameTime) {
+  FileSet first(folder(), "tile");
+  writeFileAtomically(first.add("a"), "first");
+  {
+    FileSet second(folder(), "tile");
+    writeFileAtomically(second.add("a"), "second");
+    EXPECT_EQ(readFile(first.pathOf("a"), 100), "first");
+    second.place();
+    EXPECT_EQ(read("a"), "second");
+  }
+  first.place();
+  EXPECT_EQ(read("a"), "first");
+}
+
+TEST_F(FileSetTest, TakesTheLongestNames) {
+  const std::string name(240, 'n');
+  FileSet set(folder(), name);
+  writeFileAtomically(set.add(name + ".png"), "new");
+  set.place();
+  EXPECT_EQ(read(name + ".png"), "new");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/editor/model/file_lock.h"
+#include "core/base/file_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
