@@ -101,7 +101,8 @@ namespace handover {
 inline constexpr const char* title = "Hand-over";
 inline constexpr const char* about =
     "Both sides of one seamless tile for CLO, Browzwear, Blender and others: maps, U3M, glTF and MaterialX, with what "
-    "renderers of surfaces need fitted to this cloth.";
+    "renderers of surfaces need fitted to this cloth. The .jfab for CLO is experimental: nobody has tried it there "
+    "yet.";
 inline constexpr Word measure{"To measure", "Light paths for each of the cameras that gloss and sheen are fitted to."};
 inline constexpr const char* paths = "paths";
 inline constexpr Word colourways{

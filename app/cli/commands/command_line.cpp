@@ -352,7 +352,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   commands.add(app, "info", "what follows from a fabric: mass, cover, floats, voxels", addInfo);
   commands.add(app, "convert", "between fabrics, drafts and weave bitmaps", addConvert, checkConvert);
   commands.add(app, "tile", "a seamless tile for other programs: color, normal, height, opacity", addTile);
-  commands.add(app, "handover", "both sides for CLO, Browzwear, Blender and others: U3M, glTF, MaterialX, maps",
+  commands.add(app, "handover",
+               "both sides for CLO, Browzwear, Blender and others: U3M, glTF, MaterialX, maps, .jfab (experimental)",
                addHandover);
   commands.add(app, "sheet", "a page for the mill: cloth at 1 : 1, draft, colour orders, yarns, sett, mass", addSheet,
                checkSheet);

@@ -95,7 +95,8 @@ HandoverReport writeHandover(const std::string& folder, const std::string& name,
   written(name + ".handover.json", sidecar(cloth, front, back));
   set.place();
   const FitError &onto = cloth.front.fit.reflected, &ontoBack = cloth.back.fit.reflected;
-  report.lines = {fitLine("front", cloth.front.fit), fitLine("back", cloth.back.fit)};
+  report.lines = {fitLine("front", cloth.front.fit), fitLine("back", cloth.back.fit),
+                  name + ".jfab: experimental, nobody has tried it in CLO yet"};
   report.front_percent = percentOf(onto.rms, onto);
   report.back_percent = percentOf(ontoBack.rms, ontoBack);
   return report;

@@ -11,7 +11,7 @@ namespace loomlight {
 
 struct HandoverReport {
   std::vector<std::string> files;  ///< that were written, within the folder
-  std::vector<std::string> lines;  ///< for people: the fit of either side, and its error
+  std::vector<std::string> lines;  ///< for people: the fit of either side and its error, and what is experimental
   /// RMS over directions of what is fitted to the front and the back less what was measured, per cent of its mean.
   double front_percent = 0, back_percent = 0;
 };

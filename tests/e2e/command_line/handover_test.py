@@ -12,6 +12,8 @@ class Handover(CommandLineTest):
     def test_a_folder_holds_all_formats_and_the_error_of_the_fit(self):
         said = self.run_program("handover", self.fabric(), "-o", "out", *FEW)
         self.assertIn("RMS over directions", said)
+        self.assertIn("small_twill.jfab: experimental", said)
+        self.assertRegex(self.run_program("--help"), r"\.jfab\s+\(experimental\)")
         folder = self.folder / "out"
         for ending in (".u3m", ".u3ma", ".glb", "_back.glb", ".mtlx", "_back.mtlx", ".jfab", ".handover.json"):
             self.assertTrue((folder / f"small_twill{ending}").stat().st_size > 0, ending)
