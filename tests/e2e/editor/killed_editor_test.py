@@ -5,6 +5,7 @@ offers what was not saved.
   LOOMLIGHT_KILLS=1000 ...    as many as that in place of the few of an ordinary run
 """
 
+import contextlib
 import os
 import random
 import struct
@@ -17,18 +18,8 @@ from window_driver import expect, read_json, run, window
 PROGRAM = os.environ["LOOMLIGHT"]
 KILLS = int(os.environ.get("LOOMLIGHT_KILLS", "6"))
 WIDTH, HEIGHT = 960, 600
+ACTIONS = ("keep", "save", "settings", "view", "preset")
 LONGEST_S = 0.5  # from an action to the kill
-
-
-def answer_what_is_asked(editor, taken_up):
-    """An editor that finds unsaved work offers it; it is taken up, or thrown away."""
-    editor.wait_until("it is clear whether there was unsaved work",
-                      lambda: editor.fact("message") != "" or editor.number("frame") > 3)
-    if "Take it up again?" not in editor.fact("message"):
-        return False
-    editor.click("message.answer_2" if taken_up else "message.answer_1")
-    editor.wait_until("it is answered", lambda: editor.fact("dialog") == "none")
-    return taken_up
 
 
 def expect_whole_png(file):
@@ -56,56 +47,131 @@ def expect_whole_files(folder, begins, ends, check):
     return len(found)
 
 
+def weave_of(file):
+    return read_json(file)["weave"]
+
+
+def edited(weave):
+    """With its first crossing turned, which lies at the beginning of the last line."""
+    last = weave[-1]
+    return [*weave[:-1], ("." if last[0] == "#" else "#") + last[1:]]
+
+
+def copies_in(state):
+    """Names and weaves of the copies of unsaved work, from the oldest to the newest; the editor may remove some."""
+    found = []
+    for name in names_in(state):
+        if name.startswith("autosave-") and name.endswith(".json"):
+            copy = os.path.join(state, name)
+            with contextlib.suppress(FileNotFoundError):
+                found.append((os.stat(copy).st_mtime_ns, name, weave_of(copy)))
+    return [(name, weave) for _, name, weave in sorted(found)]
+
+
+def start(editor, file, left, takes_up):
+    """Starts the editor, which has to offer the newest of the copies that are left, and answers it. Returns whether one
+    was taken up."""
+    editor.start(PROGRAM, [file])
+    if not left:
+        editor.wait_until("it has looked for unsaved work", lambda: editor.number("frame") > 3)
+        expect("Take it up again?" not in editor.fact("message"), "work is offered that nobody has left")
+        return False
+    editor.wait_until("unsaved work is offered", lambda: "Take it up again?" in editor.fact("message"))
+    editor.click("message.answer_2" if takes_up else "message.answer_1")
+    editor.wait_until("it is answered", lambda: editor.fact("dialog") == "none")
+    if takes_up:
+        editor.wait_until("it is taken up", lambda: editor.fact("dirty") == "yes" and editor.fact("file") == "")
+    else:
+        editor.wait_until("it is thrown away", lambda: left[-1][0] not in names_in(editor.state))
+    return takes_up
+
+
+def save_as(editor, file, weave):
+    editor.key("ctrl+s")
+    editor.name_file(file)
+    editor.wait_until("it is saved", lambda: editor.fact("dirty") == "no")
+    expect(weave_of(file) == weave, "other work was taken up than was left")
+
+
+def begin(editor, action, left, wanted):
+    """Does what the kill is to come into; returns when it has begun."""
+    views = os.path.join(editor.data, "views")
+    if action == "save":
+        editor.input.key("ctrl", 1)
+        editor.input.key("s", 1)
+    elif action == "keep":
+        known = dict(left)
+        editor.wait_until("a copy is kept", lambda: any(name not in known and weave == wanted
+                                                        for name, weave in copies_in(editor.state)))
+    elif action == "view":
+        editor.wait_until("the edited cloth is shown", lambda: editor.number("shown_samples") > 0 and
+                          editor.fact("shown_generation") == editor.fact("generation"))
+        there = names_in(views)
+        editor.input.key("k", 1)
+        editor.wait_until("its picture is being written", lambda: names_in(views) != there)
+    elif action == "preset":
+        editor.key("ctrl+b")
+        editor.move(*editor.centre("presets.keep"))
+        editor.input.button(1, 1)
+        editor.input.button(1, 0)
+    else:
+        editor.key("n")
+
+
+def kill(editor):
+    editor.process.kill()
+    editor.process.wait()
+    for key in ("s", "k", "ctrl"):
+        editor.input.key(key, 0)
+
+
+def expect_copies(action, left, before, weaves):
+    """After the kill: those that were there before are as they were, and new ones hold one of the weaves."""
+    known = dict(before)
+    for name, weave in left:
+        expect(weave in ([known[name]] if name in known else weaves), f"a copy holds other work after '{action}'")
+    expect(action != "keep" or (left and left[-1][1] == weaves[0]), "the newest copy is not of the newest work")
+
+
 def test():
     chance = random.Random(1)
     with window(WIDTH, HEIGHT) as editor:
         file = small_cloth(editor.home, "Killed")
-        state = os.path.join(editor.home, "state", "loomlight")
-        data = os.path.join(editor.home, "data", "loomlight")
-        offered = views = presets = 0
-        for _ in range(KILLS):
-            editor.start(PROGRAM, [file])
-            offered += answer_what_is_asked(editor, chance.random() < 0.5)
-            before = read_json(file)["weave"]
+        editor.state = os.path.join(editor.home, "state", "loomlight")
+        editor.data = os.path.join(editor.home, "data", "loomlight")
+        offered = saved = views = presets = 0
+        left, kept = [], False
+        for i in range(KILLS):
+            offered += bool(left)
+            taken_up = start(editor, file, left, kept or chance.random() < 0.5)
+            weave = left[-1][1] if taken_up else weave_of(file)
+            has_file = not taken_up
+            if taken_up and (kept or chance.random() < 0.5):
+                file = os.path.join(editor.home, f"taken_up_{i}.json")
+                save_as(editor, file, weave)
+                has_file = True
+            in_file, now = weave_of(file), edited(weave)
             editor.click("draft.cell_0_0")
             editor.wait_until("the cloth is edited", lambda: editor.fact("dirty") == "yes")
-            action = chance.choice(("save", "keep", "settings", "view", "preset"))
-            if action == "save":
-                editor.input.key("ctrl", 1)
-                editor.input.key("s", 1)
-            elif action == "keep":
-                editor.wait_until("a copy is kept", lambda: os.path.isdir(state) and os.listdir(state))
-            elif action == "view":
-                editor.wait_until("the edited cloth is shown", lambda: editor.number("shown_samples") > 0 and
-                                  editor.fact("shown_generation") == editor.fact("generation"))
-                there = names_in(os.path.join(data, "views"))
-                editor.input.key("k", 1)
-                editor.wait_until("its picture is being written",
-                                  lambda: names_in(os.path.join(data, "views")) != there)
-            elif action == "preset":
-                editor.key("ctrl+b")
-                editor.move(*editor.centre("presets.keep"))
-                editor.input.button(1, 1)
-                editor.input.button(1, 0)
-            else:
-                editor.key("n")
+            action = ACTIONS[i % len(ACTIONS)]
+            begin(editor, action, left, now)
             time.sleep(chance.uniform(0, LONGEST_S))
-            editor.process.kill()
-            editor.process.wait()
-            for key in ("s", "k", "ctrl"):
-                editor.input.key(key, 0)
-            after = read_json(file)["weave"]  # which reads: it is whole
-            expect(after == before or action == "save", f"a file that was not saved is another after '{action}'")
-            expect_whole_files(state, "autosave-", ".json", read_json)
-            views = max(views, expect_whole_files(os.path.join(data, "views"), "", ".png", expect_whole_png))
-            presets = max(presets, expect_whole_files(os.path.join(data, "presets"), "", ".json", read_json))
-        editor.start(PROGRAM, [file])
-        answer_what_is_asked(editor, False)
+            kill(editor)
+            kept = action == "keep"
+            after = weave_of(file)  # which reads: it is whole
+            may_be_saved = action == "save" and has_file
+            expect(after == in_file or (may_be_saved and after == now), f"the file holds another cloth after '{action}'")
+            saved += after != in_file
+            before, left = left, copies_in(editor.state)
+            expect_copies(action, left, before, (now, weave) if taken_up else (now,))
+            views = max(views, expect_whole_files(os.path.join(editor.data, "views"), "", ".png", expect_whole_png))
+            presets = max(presets, expect_whole_files(os.path.join(editor.data, "presets"), "", ".json", read_json))
+        offered += bool(left)
+        if start(editor, file, left, True):
+            save_as(editor, os.path.join(editor.home, "taken_up_last.json"), left[-1][1])
         editor.key("ctrl+q")
-        if editor.process.poll() is None and editor.fact("message"):
-            editor.click("message.answer_1")
         expect(editor.wait_for_end() == 0, editor.log())
-        print(f"{KILLS} kills; unsaved work was taken up {offered} times; "
+        print(f"{KILLS} kills; unsaved work was offered {offered} times, and saved {saved} times before the kill; "
               f"{views} views and {presets} presets were kept")
 
 
