@@ -2,7 +2,7 @@
 
 The schema of U3M 1.1 (BSD-3, its owners publish it) by python3-jsonschema; MaterialX by its own library, the Python
 package MaterialX, which Debian does not have; glTF by Khronos' gltf_validator, which it does not have either. What is
-not here is said, and is no failure."""
+not here is said, and is no failure; a schema that was named and cannot be read is one."""
 
 import json
 import pathlib
@@ -18,7 +18,7 @@ def say(what, verdict):
 
 def check_u3m(file, schema):
     if schema is None:
-        return say("U3M's schema was not given", "skipped")
+        return say("the schema of U3M (none was given)", "skipped")
     import jsonschema
 
     with open(schema, encoding="utf-8") as rules, open(file, encoding="utf-8") as text:
@@ -33,7 +33,7 @@ def check_materialx(file):
     try:
         import MaterialX
     except ImportError:
-        return say("MaterialX' library is not here (PyPI: MaterialX)", "skipped")
+        return say("MaterialX' library (not here, PyPI: MaterialX)", "skipped")
     document = MaterialX.createDocument()
     MaterialX.readFromXmlFile(document, str(file))
     library = MaterialX.createDocument()
@@ -52,7 +52,7 @@ def check_materialx(file):
 def check_gltf(file):
     validator = shutil.which("gltf_validator")
     if validator is None:
-        return say("Khronos' gltf_validator is not here", "skipped")
+        return say("Khronos' gltf_validator (not here)", "skipped")
     done = subprocess.run([validator, "--stdout", file], stdout=subprocess.PIPE, check=False)
     issues = json.loads(done.stdout)["issues"]
     for one in issues["messages"][:5]:
