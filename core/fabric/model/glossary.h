@@ -217,8 +217,8 @@ inline constexpr Word loomState{
 inline constexpr Word finishedState{"Finished", "The cloth of the picture, at the sett above."};
 inline constexpr Word washedState{
     "Washed",
-    "After washing and drying. How cloth shrinks is not modelled: where Pressing is 0, the cloth of the picture is "
-    "washed and relaxed already; else enter what the mill or its laboratory has counted (ISO 5077)."};
+    "After washing and drying. How cloth shrinks is not modelled: enter what the mill or its laboratory has counted "
+    "(ISO 5077). Pressing at 0 gives yarns the shape of washed cloth, at the sett above."};
 inline constexpr Word loomEnds{"Loom-state ends", "Ends on 1 cm of grey cloth, as the mill counts them; 0: not said."};
 inline constexpr Word loomPicks{"Loom-state picks",
                                 "Picks on 1 cm of grey cloth, as the mill counts them; 0: not said."};

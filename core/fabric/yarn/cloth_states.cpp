@@ -9,7 +9,8 @@
 // which is what is drawn. What the mill has counted is taken as it is. The reed says its own ends: dents per cm
 // times ends in a dent. What is not known is reckoned back from the finished cloth where that can be done: a yarn
 // that is crimped by c now lay straight in the reed, so the sett across it was smaller by 1 + c. The rest stays
-// unknown. Cost: none to speak of.
+// unknown, the washed sett among it: that a cloth is drawn unpressed does not say by how much it has still to shrink.
+// Cost: none to speak of.
 
 namespace loomlight {
 namespace {
@@ -42,10 +43,6 @@ ClothStates clothStates(const Fabric& fabric, const std::optional<Crimps>& crimp
   states.loom = {counted(mill.loomEnds_per_cm, SettSource::mill), counted(mill.loomPicks_per_cm, SettSource::mill)};
   states.washed = {counted(mill.washedEnds_per_cm, SettSource::mill),
                    counted(mill.washedPicks_per_cm, SettSource::mill)};
-  if (fabric.press == 0) {
-    if (states.washed.ends.per_cm == 0) states.washed.ends = {fabric.ends_per_cm, SettSource::relaxed};
-    if (states.washed.picks.per_cm == 0) states.washed.picks = {fabric.picks_per_cm, SettSource::relaxed};
-  }
   return states;
 }
 
@@ -77,8 +74,6 @@ const char* sourceText(SettSource source) {
       return "reed and denting";
     case SettSource::crimp:
       return "from crimp";
-    case SettSource::relaxed:
-      return "as drawn, relaxed";
     case SettSource::unknown:
       break;
   }

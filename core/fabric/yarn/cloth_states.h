@@ -11,11 +11,10 @@ namespace loomlight {
 /// Where a sett is known from.
 enum class SettSource {
   unknown,
-  cloth,    ///< it is that of the fabric, which the picture shows
-  mill,     ///< the mill has counted it (MillData)
-  reed,     ///< reed and denting
-  crimp,    ///< reckoned back from the finished cloth, whose crimped yarns once lay straight
-  relaxed,  ///< as the cloth is, for it is washed and relaxed already: Fabric::press is 0
+  cloth,  ///< it is that of the fabric, which the picture shows
+  mill,   ///< the mill has counted it (MillData)
+  reed,   ///< reed and denting
+  crimp,  ///< reckoned back from the finished cloth, whose crimped yarns once lay straight
 };
 
 struct KnownSett {

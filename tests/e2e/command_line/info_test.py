@@ -113,6 +113,16 @@ class Info(CommandLineTest):
         yarn, = json.loads(self.run_program("info", file, "--json", "--resolution", 1))["yarns"]
         self.assertAlmostEqual(yarn["count_tex"], 590.5 / 40, delta=1)
         self.assertTrue(3 < yarn["hairiness_h"] < 7, yarn)
+    def test_what_a_wash_does_to_cloth_is_not_known_until_it_is_counted(self):
+        file = SAMPLES / "cloths/georgette.json"  # which nothing has pressed
+        info = json.loads(self.run_program("info", file, "--json", "--resolution", 1))
+        self.assertEqual(info["press"], 0)
+        for system in ("ends", "picks"):
+            self.assertEqual(info["setts"]["washed"][system], {"per_cm": None, "from": "not known"})
+        table = self.run_program("info", file, "--resolution", 1)
+        self.assertRegex(table, r"sett, washed +\? x \?  per cm, not known")
+        self.assertNotIn("shrinks in the wash", table)
+
         self.assertEqual(yarn["evenness_cv_percent"], 13.5)
         self.assertIn(f"hairiness H {yarn['hairiness_h']:.1f}, CVm 13.5 %",
                       self.run_program("info", file, "--resolution", 1))
