@@ -17,7 +17,10 @@ struct ClothMeasures {
   double thickness_mm = 0;  ///< over the yarns' bodies, hairs excluded
   double crimpWarp = 0;     ///< (length of yarn - length of cloth) / length of cloth
   double crimpWeft = 0;
-  double arealMass_g_m2 = 0;     ///< of the yarns' counts, setts and crimps
+  double arealMass_g_m2 = 0;  ///< of the yarns' counts, setts and crimps
+  /// Share of the plane, 0..1, that lies under yarns, as wide as they are pressed, evenly apart, hairs excluded: the
+  /// ends' and the picks' together, less what lies under both. Gaps between the fibres of a yarn count as covered.
+  double cover = 0;
   double segmentsPerRepeat = 0;  ///< of fibres, averaged over the phases
 };
 

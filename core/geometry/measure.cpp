@@ -20,6 +20,21 @@ double segmentsOf(const YarnModel& yarn, const YarnCellKey& key) {
   return static_cast<double>(yarn.fibreCount()) * steps + loose / g.period;
 }
 
+/// The part that a yarn takes of the distance to its neighbours: the mean over a cell, in which its width goes from
+/// that half-way to the crossing before, by its own crossing's, to that half-way to the next.
+double widthShare(const YarnGeometry& yarn, const YarnCellKey& key) {
+  constexpr int kSteps = 8;
+  double sum = 0;
+  for (const PathNode& other : {key.previous, key.next}) {
+    const SectionEasing section({key.here.up, key.here.across}, {other.up, other.across}, yarn.free);
+    for (int i = 0; i < kSteps; ++i) {
+      const double width_mm = 2 * section.at(0.5 * (i + 0.5) / kSteps).across * yarn.coreRadius_mm();
+      sum += std::min(1.0, width_mm / yarn.crossPitch_mm);
+    }
+  }
+  return sum / (2 * kSteps);
+}
+
 }  // namespace
 
 ClothMeasures ClothGeometry::measure() const {
@@ -44,9 +59,9 @@ ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>
   const double cellsPerRepeat =
       static_cast<double>(std::min(repeatEnds(), ends_)) * static_cast<double>(std::min(repeatPicks(), picks_));
   ClothMeasures measures;
-  double highest = 0, lowest = 0;
+  double highest = 0, lowest = 0, open = 1;
   for (const System system : {System::warp, System::weft}) {
-    double cells = 0, axis = 0, mass_g = 0, segments = 0;
+    double cells = 0, axis = 0, mass_g = 0, segments = 0, covered = 0;
     for (const CellCount& count : counts[static_cast<size_t>(system)]) {
       const YarnCellKey& key = count.shape;
       const YarnModel& model = yarns_.model(system, key.yarn);
@@ -56,6 +71,7 @@ ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>
       axis += length;
       mass_g += length * g.count_tex * 1e-6;
       segments += count.cells * segmentsOf(model, key);
+      covered += count.cells * widthShare(g, key);
       const double halfHeight = key.here.up * g.coreRadius_mm();
       highest = std::max(highest, key.here.height_mm + halfHeight);
       lowest = std::min(lowest, key.here.height_mm - halfHeight);
@@ -64,8 +80,10 @@ ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>
     (system == System::warp ? measures.crimpWarp : measures.crimpWeft) = axis / (cells * pitch) - 1;
     measures.arealMass_g_m2 += mass_g / (cells * warpPitch_mm() * weftPitch_mm() * 1e-6);
     measures.segmentsPerRepeat += segments * (cellsPerRepeat / cells);
+    open *= 1 - covered / cells;
   }
   measures.thickness_mm = highest - lowest;
+  measures.cover = 1 - open;
   return measures;
 }
 

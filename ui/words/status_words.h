@@ -7,8 +7,9 @@ namespace loomlight::words::status {
 inline constexpr const char* massHelp = "Areal mass: what one square metre of this cloth weighs.";
 inline constexpr const char* cover = "cover {:.0f} %";
 inline constexpr const char* coverHelp =
-    "Share of the area that yarns hide when the cloth is seen flat, from straight above. Peirce's cover factors, on "
-    "the page of the cloth, are another figure: how many threads there are for their thickness.";
+    "Share of the area that yarns hide when the cloth is seen flat, from straight above, as wide as they are pressed. "
+    "Peirce's cover factors, on the page of the cloth, are another figure: how many threads there are for their "
+    "thickness, were they round.";
 inline constexpr const char* thickness = "{:.2f} mm thick";
 inline constexpr const char* endlessFloat = "endless float";
 inline constexpr const char* longestFloat = "longest float {} ({:.1f} mm)";

@@ -179,6 +179,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["cover_factor_warp"] = of.cover.warp;
   json["cover_factor_weft"] = of.cover.weft;
   json["cover_fraction"] = of.cover.fraction;
+  json["area_covered"] = of.measures.cover;
   json["areal_mass_g_m2"] = of.measures.arealMass_g_m2;
   json["thickness_mm"] = of.measures.thickness_mm;
   json["crimp_warp"] = of.measures.crimpWarp;
@@ -315,8 +316,10 @@ void printTable(const Fabric& fabric, const Information& of) {
   line("cover factor", fmt::format("{:.1f}", of.cover.cloth),
        fmt::format("Peirce: ends or picks per inch over the root of Ne; warp {:.1f}, weft {:.1f}, 28 is closed",
                    of.cover.warp, of.cover.weft));
-  line("area covered", fmt::format("{:.0f} %", 100 * of.cover.fraction),
-       "seen from straight above, about: the cover factor over 28");
+  line("area covered", fmt::format("{:.0f} %", 100 * of.measures.cover),
+       fmt::format(
+           "seen from straight above, by yarns as they are pressed; by round ones {:.0f} %, the cover factor over 28",
+           100 * of.cover.fraction));
   line("mass", fmt::format("{:.1f}", of.measures.arealMass_g_m2), "g/m2");
   line("thickness", fmt::format("{:.3f}", of.measures.thickness_mm), "mm");
   line("crimp of the warp", fmt::format("{:.1f} %", 100 * of.measures.crimpWarp));

@@ -41,7 +41,7 @@ void tellFigures(const FabricStats& stats, const ClothMeasures& measures, Status
   model.longestFloat_mm = std::max(warp_mm, weft_mm);
   model.longFloats = stats.longFloats.count;
   model.longFloat_mm = stats.longFloats.limit_mm;
-  model.coverPercent = 100 * stats.cover.fraction;
+  model.coverPercent = 100 * measures.cover;
   model.arealMass_g_m2 = measures.arealMass_g_m2;
   model.thickness_mm = measures.thickness_mm;
   if (stats.warnings.empty()) return;

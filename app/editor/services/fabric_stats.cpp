@@ -117,7 +117,6 @@ FabricStats FabricStatsWorker::statsOf(const Fabric& fabric) {
   FabricStats stats;
   stats.floats = floats(fabric.weave);
   stats.binding = binding(fabric.weave);
-  stats.cover = coverFactors(fabric);
   return stats;
 }
 

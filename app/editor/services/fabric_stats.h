@@ -22,7 +22,6 @@ struct FabricStats {
   std::optional<YarnSection> section;    ///< of the newest cloth that is built; none before the first
   Floats floats;
   LongFloats longFloats;
-  CoverFactors cover;
   Binding binding;
   std::vector<std::string> warnings;
   std::optional<MeshExtent> mesh;  ///< of a mesh drape that could be read

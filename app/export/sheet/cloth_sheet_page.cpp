@@ -150,7 +150,7 @@ class SheetWriter {
     const CoverFactors cover = coverFactors(fabric_);
     y = row(x, y, "Cover factor",
             fmt::format("Peirce: {:.1f}; warp {:.1f}, weft {:.1f}", cover.cloth, cover.warp, cover.weft));
-    y = row(x, y, "Area covered", fmt::format("{:.0f} %, seen from straight above", 100 * cover.fraction));
+    y = row(x, y, "Area covered", fmt::format("{:.0f} %, of yarns as they lie, from straight above", 100 * m.cover));
     const Floats f = floats(weave);
     return row(x, y, "Longest float",
                fmt::format("warp {} ({:.1f} mm), weft {} ({:.1f} mm)", f.warp(),

@@ -250,7 +250,7 @@ inline constexpr Word weftCover{"Weft cover factor",
 inline constexpr Word clothCover{
     "Cloth cover factor",
     "Both together, less what lies over each other: K1 + K2 - K1 K2 / 28. The cover of the status bar is another "
-    "figure: the share of the area that yarns hide, seen from straight above."};
+    "figure: the share of the area that yarns hide, seen from straight above, wider than round as they are pressed."};
 inline constexpr Word longestWarpFloat{
     "Longest warp float", "The most picks that an end passes over or under without interlacing: long floats snag."};
 inline constexpr Word longestWeftFloat{

@@ -9,12 +9,13 @@
 namespace loomlight {
 
 /// Peirce's cover factors: ends or picks per inch over the square root of the cotton count, averaged over the yarn
-/// sequences. At 28 round yarns touch; most cloths lie near 12 each way.
+/// sequences. At 28 round yarns touch; most cloths lie near 12 each way. Counts and setts alone are in them: what yarns
+/// cover as they lie in the cloth, wider than round, is ClothMeasures::cover.
 struct CoverFactors {
   double warp = 0;
   double weft = 0;
   double cloth = 0;     ///< warp + weft - warp * weft / 28 with at most 28 of each
-  double fraction = 0;  ///< cloth / 28: about the share of the plane that yarn covers, at most 1
+  double fraction = 0;  ///< cloth / 28: the share of the plane that round yarns of cotton would cover, at most 1
 };
 CoverFactors coverFactors(const Fabric& fabric);
 

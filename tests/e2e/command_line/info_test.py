@@ -67,6 +67,10 @@ class Info(CommandLineTest):
         self.assertEqual(info["interlacings"], 16)  # each of 4 ends and 4 picks changes sides twice
         self.assertAlmostEqual(info["cover_fraction"], info["cover_factor"] / 28)
         need = info["yarn_need"]
+        self.assertTrue(info["cover_fraction"] < info["area_covered"] < 1, "yarns lie wider than round")
+        self.assertRegex(self.run_program("info", fabric, "--resolution", 1),
+                         rf"area covered +{100 * info['area_covered']:.0f} %.* by round ones "
+                         rf"{100 * info['cover_fraction']:.0f} %, the cover factor over 28")
         self.assertEqual((need["length_m"], need["width_cm"]), (2, 50))
         warp, weft = need["yarns"]
         self.assertEqual((warp["name"], warp["weft_m"], weft["warp_m"]), ("warp", 0, 0))
