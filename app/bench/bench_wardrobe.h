@@ -4,7 +4,8 @@
 
 namespace loomlight {
 
-/// loomlight bench cloths: mass, thickness and cover of the wardrobe's cloths, the trade's and ours.
+/// loomlight bench cloths: mass and thickness of the wardrobe's cloths, the trade's and ours, and the area that
+/// their yarns cover, round and as they are pressed.
 struct ClothsBenchCommand {
   std::string folder;  ///< where page and tables go
 };

@@ -19,7 +19,6 @@ struct TradeFigures {
   const char* construction;  ///< counts of warp x weft / ends x picks to the inch, or as that trade quotes it
   double mass_g_m2 = 0;
   double thickness_mm = 0;  ///< as a gauge feels it, under about 1 kPa
-  double cover = 0;         ///< share of the plane under round yarns, by Peirce, of that construction
   const char* source;       ///< of construction, mass and thickness: read where, or recalled
   Allowance thickness = kThicknessAllowance;
 };

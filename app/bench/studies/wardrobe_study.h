@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/wardrobe/wardrobe.h"
+#include "core/fabric/yarn/derived.h"
 #include "core/geometry/cloth_geometry.h"
 
 namespace loomlight {
@@ -10,7 +11,7 @@ struct ClothComparison {
   const WardrobeCloth* cloth = nullptr;
   Fabric fabric;
   ClothMeasures ours;
-  double cover = 0;  ///< share of the plane under yarns as they are pressed, hairs excluded
+  CoverFactors round;  ///< Peirce's, of our counts and setts: no figure of the trade's
 
   /// How far ours is from the trade's, as a share of it.
   double massOff() const { return ours.arealMass_g_m2 / cloth->trade.mass_g_m2 - 1; }

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import statistics
 
 from harness import SAMPLES, CommandLineTest, main
 
@@ -27,6 +28,14 @@ class ClothsBench(CommandLineTest):
             info = json.loads(self.run_program("info", files[name], "--json"))
             self.assertAlmostEqual(info["areal_mass_g_m2"], float(row[2]), delta=0.1)
             self.assertAlmostEqual(info["thickness_mm"], float(row[5]), delta=0.01)
+            self.assertAlmostEqual(info["cover_fraction"], float(row[7]), delta=0.006)
+            self.assertAlmostEqual(info["area_covered"], float(row[8]), delta=0.006)
+        self.assertNotIn("cover, trade", header, "it quotes none")
+        off = [int(row[6].rstrip(" %")) for row in rows]
+        median, thinner = statistics.median(off), sum(row[6].startswith("-") for row in rows)
+        self.assertIn(f"In the median our cloths are {abs(median)} % {'thinner' if median < 0 else 'thicker'} than the "
+                      f"trade's, and {thinner} of {len(rows)} are thinner.", page)
+        self.assertIn("were chosen by hand for each cloth", page)
 
 
 if __name__ == "__main__":
