@@ -122,7 +122,7 @@ inline constexpr Word parallelism{"Fibre straying",
                                   "9, rotor and woollen yarns 11 to 15."};
 inline constexpr Word evenness{"Unevenness",
                                "How unevenly the yarn is spun: by how much the mass of 8 mm of it varies (Uster CVm). "
-                               "Filament 0 to 2, combed cotton and worsted 11 to 14, carded and rotor yarns 14 to 18, "
+                               "Filament 0 to 2, combed cotton and worsted 11 to 15, carded and rotor yarns 14 to 18, "
                                "woollen and flax 20 and more."};
 inline constexpr Word slubs{"Slubs", "Thick places that are spun in on purpose, on a metre of yarn."};
 inline constexpr Word slubLength{"Slub length",

@@ -97,6 +97,11 @@ double fibresInYarn(const Yarn& yarn, const Fibre& fibre) {
   return 10.0 * yarn.count_tex / fibreFineness_dtex(fibre);
 }
 
+double limitCv_percent(const Yarn& yarn, const Fibre& fibre) {
+  constexpr double kCotton = 106, kHair = 112;
+  return (fibre.scaleTilt_deg != 0 ? kHair : kCotton) / std::sqrt(fibresInYarn(yarn, fibre));
+}
+
 double yarnDiameter_mm(const Yarn& yarn, const Fibre& fibre) {
   const double radius_um =
       std::sqrt(yarnCount_tex(yarn, fibre) / cylinder_tex(1.0, fibre.density_g_cm3 * yarn.packing));

@@ -38,11 +38,20 @@ constexpr bool isMonofilament(const Yarn& yarn) {
   return yarn.fibresPerPly == 1;
 }
 
+/// Whether it is of staple fibre, which shows in hairs, wrapper fibres or fibres that wander: filament has none of
+/// them.
+constexpr bool isSpun(const Yarn& yarn) {
+  return !isMonofilament(yarn) && (yarn.hairiness_per_mm > 0 || yarn.wrappers_per_cm > 0 || yarn.migration > 0);
+}
+
 /// Linear density of the finished yarn, tex: its count, or singles * fibresPerPly * fibre where that is given. Take-up
 /// by twist is not in it: the geometry finds that, and scales its fibres so that a given count is met exactly.
 double yarnCount_tex(const Yarn& yarn, const Fibre& fibre);
 /// Fibres in the section of the whole yarn, not rounded.
 double fibresInYarn(const Yarn& yarn, const Fibre& fibre);
+/// The least CVm of a spun yarn, %: that of so many fibres in its section, of all plies, whose ends lie at random
+/// (Martindale). 106 / sqrt(n), as cotton's fibres vary in thickness; of hair, which has scales, 112 / sqrt(n).
+double limitCv_percent(const Yarn& yarn, const Fibre& fibre);
 /// Diameter of a round yarn of that count and packing, mm: 0.03568 sqrt(T / (rho phi)).
 double yarnDiameter_mm(const Yarn& yarn, const Fibre& fibre);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/long_floats.h"
@@ -224,6 +225,16 @@ std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, co
         fmt::format("{:g} slubs per m of {:g} mm are {:.0f} % of their yarn: there will be fewer, as more "
                     "than {:g} % find no room.",
                     yarn.slubs_per_m, yarn.slubLength_mm, slub_percent, kMostSlub_percent));
+  }
+  for (const Yarn& yarn : fabric.yarns) {
+    const Fibre fibre = meanFibre(yarn, fabric.fibres);
+    const double limit_percent = limitCv_percent(yarn, fibre);
+    if (!isSpun(yarn) || yarn.evennessCv_percent == 0 || yarn.evennessCv_percent >= limit_percent) continue;
+    std::string tooEven = fmt::format(
+        "A CVm of {:g} % is more even than a spun yarn of {:.1f} tex can be: its {:.0f} fibres, laid at random, have "
+        "{:.1f} %.",
+        yarn.evennessCv_percent, yarnCount_tex(yarn, fibre), fibresInYarn(yarn, fibre), limit_percent);
+    if (std::ranges::find(said, tooEven) == said.end()) said.push_back(std::move(tooEven));  // once for yarns alike
   }
   idle(floats.idleEnds, fabric.weave.ends(), "end", "ends");
   idle(floats.idlePicks, fabric.weave.picks(), "pick", "picks");

@@ -77,7 +77,8 @@ double jamming(const Fabric& fabric);
 
 struct LongFloats;
 /// What a weaver would object to, in plain words: jammed sett, floats longer than they may be, yarns with no
-/// interlacing. `floats` and `tooLong`: of this fabric.
+/// interlacing; and what no spinner could make: more slubs than there is room for, yarns more even than chance.
+/// `floats` and `tooLong`: of this fabric.
 std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, const LongFloats& tooLong);
 
 }  // namespace loomlight

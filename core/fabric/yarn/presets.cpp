@@ -325,7 +325,7 @@ std::vector<YarnPreset> yarnPresets() {
   linen.evennessCv_percent = 22;
   return {
       hairy(ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), 5.5, "cotton", spun),
-      hairy(combed(ringSpun("Cotton Ne 60, combed", tex(60, CountSystem::cotton), 4.0)), 4.5, "cotton", spun),
+      hairy(fine, 4.5, "cotton", spun),
       hairy(compactSpun("Cotton Ne 40, compact", tex(40, CountSystem::cotton), 3.8), 3.5, "cotton", spun),
       hairy(ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), 7, "cotton", spun),
       hairy(rotorSpun("Cotton Ne 10, rotor", tex(10, CountSystem::cotton), 4.6), 4.5, "cotton",
@@ -339,6 +339,8 @@ std::vector<YarnPreset> yarnPresets() {
           "one before); packing: handbook (0.5-0.6); evenness: of six independent singles; hairs, flattening, "
           "migration, disorder: guess"),
       hairy(worsted, 5, "wool",
+  Yarn fine = combed(ringSpun("Cotton Ne 60, combed", tex(60, CountSystem::cotton), 4.0));
+  fine.evennessCv_percent = 15.3;  // a tenth above what its few fibres have at random
             "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled "
             "(0.45-0.55); evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: "
             "guess"),

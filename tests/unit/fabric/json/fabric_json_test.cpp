@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/jacquard.h"
 #include "tests/unit/fabric/json/fabric_with.h"
 
@@ -296,6 +297,14 @@ TEST_P(Samples, RoundTripIsByteStable) {
   const std::string written = fabricToJson(fabric);
   EXPECT_EQ(written, text) << "samples are committed as writeFabric() writes them";
   EXPECT_EQ(fabricFromJson(written, file), fabric);
+}
+
+TEST_P(Samples, NoSpunYarnIsMoreEvenThanChance) {
+  const Fabric fabric = readFabric(std::string(LOOMLIGHT_SAMPLES) + "/" + GetParam() + ".json");
+  for (const Yarn& yarn : fabric.yarns) {
+    if (!isSpun(yarn) || yarn.evennessCv_percent == 0) continue;
+    EXPECT_GT(yarn.evennessCv_percent, limitCv_percent(yarn, meanFibre(yarn, fabric.fibres))) << yarn.name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Samples, testing::ValuesIn(sampleFiles()), [](const auto& test) {

@@ -236,6 +236,37 @@ TEST(Warnings, SaySlubsThatFindNoRoom) {
   EXPECT_TRUE(warningsOf(slubby).empty()) << "a monofilament is drawn without slubs";
 }
 
+TEST(YarnCount, FibresLaidAtRandomVaryByTheRootOfTheirNumber) {
+  Yarn yarn;
+  Fibre fibre;
+  yarn.fibresPerPly = 100;
+  EXPECT_NEAR(limitCv_percent(yarn, fibre), 10.6, 1e-9);
+  yarn.plies = 2;
+  EXPECT_NEAR(limitCv_percent(yarn, fibre), 10.6 / std::sqrt(2.0), 1e-9) << "plies are uneven each in its own way";
+  fibre.scaleTilt_deg = 2.5;
+  EXPECT_NEAR(limitCv_percent(yarn, fibre), 11.2 / std::sqrt(2.0), 1e-9) << "hair varies more in thickness";
+}
+
+TEST(Warnings, SayYarnsThatAreMoreEvenThanChance) {
+  Fabric fabric = printCloth();
+  Yarn& yarn = fabric.yarns[0];
+  yarn.fibresPerPly = 100;
+  yarn.evennessCv_percent = 10.5;
+  EXPECT_TRUE(warningsOf(fabric).empty()) << "filament is as even as it is drawn";
+  yarn.migration = 0.25;
+  const std::string tooEven = fmt::format(
+      "A CVm of 10.5 % is more even than a spun yarn of {:.1f} tex can be: its 100 fibres, laid at random, have 10.6 "
+      "%.",
+      yarnCount_tex(yarn, fabric.fibres[0]));
+  EXPECT_THAT(warningsOf(fabric), testing::ElementsAre(tooEven));
+  fabric.yarns.push_back(yarn);
+  EXPECT_THAT(warningsOf(fabric), testing::ElementsAre(tooEven)) << "once for yarns that are alike";
+  for (Yarn& each : fabric.yarns) each.evennessCv_percent = 10.7;
+  EXPECT_TRUE(warningsOf(fabric).empty());
+  for (Yarn& each : fabric.yarns) each.evennessCv_percent = 0;
+  EXPECT_TRUE(warningsOf(fabric).empty()) << "0 asks for an even yarn";
+}
+
 /// The count is that of the list of floats: those that nothing binds are among them.
 TEST(Warnings, CountFloatsAsTheListDoes) {
   Fabric loose = printCloth();
