@@ -93,7 +93,7 @@ std::vector<Fabric> givenFabrics(PresetKind kind) {
       fabrics.push_back(clothOf(preset.yarn.name, preset.yarn, preset.fibre));
   if (kind == PresetKind::fibres)
     for (const FibrePreset& preset : fibrePresets())
-      fabrics.push_back(clothOf(preset.fibre.name, Yarn{}, preset.fibre));
+      fabrics.push_back(clothOf(preset.fibre.name, usuallySpun(preset.fibre), preset.fibre));
   return fabrics;
 }
 

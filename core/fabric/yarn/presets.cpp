@@ -311,6 +311,25 @@ std::vector<FibrePreset> fibrePresets() {
   return presets;
 }
 
+Yarn usuallySpun(const Fibre& fibre) {
+  const std::vector<YarnPreset> presets = yarnPresets();
+  const auto firstOf = [&](const std::string& name) {
+    return std::ranges::find_if(presets, [&](const YarnPreset& of) { return of.fibre.name == name; });
+  };
+  const auto own = firstOf(fibre.name);
+  const YarnPreset& usual = own != presets.end() ? *own : *firstOf("wool");
+  Yarn yarn = usual.yarn;
+  const Yarn single;  // as heavy, so that two fibres differ in nothing else
+  yarn.name = single.name;
+  yarn.count_tex = single.count_tex;
+  yarn.plies = yarn.cords = 1;
+  yarn.yarnTwist_per_m = yarn.cableTwist_per_m = 0;
+  const double single_tex = usual.yarn.count_tex / singlesIn(usual.yarn);
+  yarn.plyTwist_per_m = turns(twistMultiplier(usual.yarn.plyTwist_per_m, single_tex), yarn.count_tex);
+  yarn.evennessCv_percent *= limitCv_percent(yarn, fibre) / limitCv_percent(usual.yarn, usual.fibre);
+  return withHairinessH(std::move(yarn), fibre, hairinessH(usual.yarn, usual.fibre));
+}
+
 std::vector<YarnPreset> yarnPresets() {
   const char* const spun =
       "count, twist: handbook (TM 3.8-4.5); packing: handbook (0.5-0.6); hairiness, evenness: "
@@ -320,6 +339,8 @@ std::vector<YarnPreset> yarnPresets() {
   worsted.packing = 0.5;
   worsted.fibreDisorder_deg = 4;
   worsted.evennessCv_percent = 12.5;
+  Yarn fine = combed(ringSpun("Cotton Ne 60, combed", tex(60, CountSystem::cotton), 4.0));
+  fine.evennessCv_percent = 15.3;  // a tenth above what its few fibres have at random
   Yarn linen = ringSpun("Linen NeL 40", tex(40, CountSystem::linen), 3.0);
   linen.packing = 0.6;
   linen.evennessCv_percent = 22;
@@ -339,8 +360,6 @@ std::vector<YarnPreset> yarnPresets() {
           "one before); packing: handbook (0.5-0.6); evenness: of six independent singles; hairs, flattening, "
           "migration, disorder: guess"),
       hairy(worsted, 5, "wool",
-  Yarn fine = combed(ringSpun("Cotton Ne 60, combed", tex(60, CountSystem::cotton), 4.0));
-  fine.evennessCv_percent = 15.3;  // a tenth above what its few fibres have at random
             "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled "
             "(0.45-0.55); evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: "
             "guess"),

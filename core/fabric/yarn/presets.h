@@ -37,6 +37,11 @@ struct YarnPreset {
 std::vector<FibrePreset> fibrePresets();
 std::vector<YarnPreset> yarnPresets();
 
+/// A single of the usual count, spun or drawn as the fibre of that name mostly is: with the twist multiplier, packing,
+/// straying, hairiness H and evenness (as a multiple of the least there can be) of the first yarn preset of that fibre.
+/// Hair and acrylic, of which there is none, are spun like worsted wool.
+Yarn usuallySpun(const Fibre& fibre);
+
 /// What is woven where a draft or a bitmap says how, and nothing of yarns: undyed cotton of the first of these.
 Fabric plainCotton();
 

@@ -1,8 +1,9 @@
 """`info` says what follows from a fabric."""
 
 import json
+import re
 
-from harness import SAMPLES, CommandLineTest, main
+from harness import ROOT, SAMPLES, CommandLineTest, main
 
 KEYS = """ends picks shafts treadles warp_up_cells max_warp_float max_weft_float cover_factor areal_mass_g_m2
 thickness_mm crimp_warp crimp_weft warnings bricks voxels components volume_bytes segments_represented""".split()
@@ -66,11 +67,11 @@ class Info(CommandLineTest):
         self.assertAlmostEqual(info["repeat_height_mm"], 40 / 18)
         self.assertEqual(info["interlacings"], 16)  # each of 4 ends and 4 picks changes sides twice
         self.assertAlmostEqual(info["cover_fraction"], info["cover_factor"] / 28)
-        need = info["yarn_need"]
         self.assertTrue(info["cover_fraction"] < info["area_covered"] < 1, "yarns lie wider than round")
         self.assertRegex(self.run_program("info", fabric, "--resolution", 1),
                          rf"area covered +{100 * info['area_covered']:.0f} %.* by round ones "
                          rf"{100 * info['cover_fraction']:.0f} %, the cover factor over 28")
+        need = info["yarn_need"]
         self.assertEqual((need["length_m"], need["width_cm"]), (2, 50))
         warp, weft = need["yarns"]
         self.assertEqual((warp["name"], warp["weft_m"], weft["warp_m"]), ("warp", 0, 0))
@@ -112,11 +113,6 @@ class Info(CommandLineTest):
         self.assertRegex(table, r"shrinks in the wash +\? x 5\.3  %")
         self.assertIn("Shrinkage is not modelled", table)
 
-    def test_yarns_are_told_as_a_laboratory_measures_them(self):
-        file = SAMPLES / "cloths/poplin.json"
-        yarn, = json.loads(self.run_program("info", file, "--json", "--resolution", 1))["yarns"]
-        self.assertAlmostEqual(yarn["count_tex"], 590.5 / 40, delta=1)
-        self.assertTrue(3 < yarn["hairiness_h"] < 7, yarn)
     def test_what_a_wash_does_to_cloth_is_not_known_until_it_is_counted(self):
         file = SAMPLES / "cloths/georgette.json"  # which nothing has pressed
         info = json.loads(self.run_program("info", file, "--json", "--resolution", 1))
@@ -127,9 +123,32 @@ class Info(CommandLineTest):
         self.assertRegex(table, r"sett, washed +\? x \?  per cm, not known")
         self.assertNotIn("shrinks in the wash", table)
 
+    def test_yarns_are_told_as_a_laboratory_measures_them(self):
+        file = SAMPLES / "cloths/poplin.json"
+        yarn, = json.loads(self.run_program("info", file, "--json", "--resolution", 1))["yarns"]
+        self.assertAlmostEqual(yarn["count_tex"], 590.5 / 40, delta=1)
+        self.assertTrue(3 < yarn["hairiness_h"] < 7, yarn)
         self.assertEqual(yarn["evenness_cv_percent"], 13.5)
         self.assertIn(f"hairiness H {yarn['hairiness_h']:.1f}, CVm 13.5 %",
                       self.run_program("info", file, "--resolution", 1))
+
+    def test_the_fabric_that_the_readme_shows_is_one_that_could_be_spun(self):
+        text = re.search(r"```json\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL).group(1)
+        (self.folder / "readme.json").write_text(text, encoding="utf-8")
+        info = json.loads(self.run_program("info", "readme.json", "--json", "--resolution", 1))
+        self.assertEqual(info["warnings"], [])
+        self.assertEqual([yarn["name"] for yarn in info["yarns"]], ["indigo", "ecru"])
+        for yarn, told in zip(info["yarns"], json.loads(text)["yarns"]):
+            self.assertTrue(4 < yarn["hairiness_h"] < 7, yarn)
+            self.assertGreater(yarn["evenness_cv_percent"], 0)
+            self.assertTrue(told["migration"] > 0 and told["fibre_disorder_deg"] > 0, told)
+
+    def test_a_yarn_that_is_more_even_than_chance_is_warned_of(self):
+        yarns = [{"name": name, "fibre": 0, "fibres_per_ply": 100, "migration": 0.25, "evenness_cv_percent": cv}
+                 for name, cv in (("warp", 10), ("weft", 12))]
+        warning, = json.loads(self.run_program("info", self.fabric(yarns=yarns), "--json"))["warnings"]
+        self.assertIn("A CVm of 10 % is more even than a spun yarn", warning)
+        self.assertIn("its 100 fibres, laid at random, have 10.6 %", warning)
 
     def test_the_table_has_units(self):
         table = self.run_program("info", self.fabric())

@@ -32,6 +32,17 @@ class PresetServiceTest : public testing::Test {
   const fs::path folder_ = scratch_.path() / "presets";  // not there yet
 };
 
+TEST(GivenPresets, FibresAreShownInYarnsAsTheyAreSpun) {
+  for (const Preset& preset : givenPresets(PresetKind::fibres, 1)) {
+    const bool isFilament =
+        preset.name == "silk" || preset.name == "viscose" || preset.name == "polyester" || preset.name == "nylon";
+    for (const auto& fabric : {preset.fabric, preset.portrait}) {
+      EXPECT_EQ(fabric->yarns[0].hairiness_per_mm > 0, !isFilament) << preset.name;
+      EXPECT_GT(fabric->yarns[0].fibreDisorder_deg, 0) << preset.name;
+    }
+  }
+}
+
 TEST_F(PresetServiceTest, StoresKeepNamesApart) {
   PresetFolder store(folder_);
   EXPECT_EQ(store.keep(cloth("Tweed")), "Tweed");

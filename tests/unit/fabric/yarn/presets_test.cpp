@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/fabric/model/finish.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
@@ -80,6 +82,35 @@ TEST(Presets, SpunYarnsAreAsHairyAsTheTradeMeasuresThem) {
     EXPECT_LE(hairiness, (isWoollen ? 14 : isCompact ? 4 : 7) + 1e-9) << preset.yarn.name;
   }
   EXPECT_GE(spun, 9);
+}
+
+TEST(Presets, NoSpunYarnIsMoreEvenThanChance) {
+  for (const YarnPreset& preset : yarnPresets()) {
+    EXPECT_EQ(isSpun(preset.yarn), preset.yarn.evennessCv_percent > 0) << preset.yarn.name;
+    if (!isSpun(preset.yarn)) continue;
+    EXPECT_GT(preset.yarn.evennessCv_percent, limitCv_percent(preset.yarn, preset.fibre)) << preset.yarn.name;
+  }
+}
+
+TEST(Presets, EveryFibreComesAsItIsUsuallySpun) {
+  const std::set<std::string> filaments{"silk", "viscose", "polyester", "nylon"};
+  for (const FibrePreset& preset : fibrePresets()) {
+    const Fibre& fibre = preset.fibre;
+    SCOPED_TRACE(fibre.name);
+    Fabric fabric;
+    fabric.fibres = {fibre};
+    fabric.yarns = {usuallySpun(fibre)};
+    EXPECT_NO_THROW(validate(fabric, fibre.name));
+    const Yarn& yarn = fabric.yarns[0];
+    EXPECT_EQ(yarn.count_tex, Yarn{}.count_tex);
+    EXPECT_EQ(singlesIn(yarn), 1);
+    EXPECT_GT(yarn.fibreDisorder_deg, 0);
+    EXPECT_EQ(isSpun(yarn), !filaments.contains(fibre.name));
+    if (!isSpun(yarn)) continue;
+    EXPECT_GT(yarn.migration, 0);
+    EXPECT_GE(hairinessH(yarn, fibre), 2.9);
+    EXPECT_GT(yarn.evennessCv_percent, limitCv_percent(yarn, fibre));
+  }
 }
 
 TEST(Presets, WhatADraftIsWovenOfIsSpun) {
