@@ -7,6 +7,7 @@
 #include "tests/fuzz/choices.h"
 #include "tests/fuzz/finding.h"
 #include "tests/fuzz/fuzzers.h"
+#include "tests/fuzz/material_edits.h"
 
 namespace loomlight::fuzz {
 namespace {
@@ -112,7 +113,7 @@ Fabric withLibrary(const Fabric& fabric, Choices& choices, const LoomLimits& loo
   return withStructure(fabric, selection, structure, loom).fabric;
 }
 
-Fabric edited(const Fabric& before, Choices& choices) {
+Fabric withOtherCrossings(const Fabric& before, Choices& choices) {
   const LoomLimits loom{choices.from(1, 16), choices.from(1, 16)};
   switch (choices.below(4)) {
     case 0:
@@ -134,21 +135,46 @@ Fabric edited(const Fabric& before, Choices& choices) {
   }
 }
 
+Edited edited(const Fabric& before, Choices& choices) {
+  switch (choices.below(8)) {
+    case 0:
+      return withOtherYarns(before, choices);
+    case 1:
+      return withOtherFibres(before, choices);
+    case 2:
+      return withOtherColours(before, choices);
+    case 3:
+      return withOtherScene(before, choices);
+    default:
+      return {withOtherCrossings(before, choices)};
+  }
+}
+
+/// Whether the editor takes the edit, as every one should be that it does not expect to refuse.
+bool isTaken(const Edited& edit, int step) {
+  try {
+    validate(edit.fabric, "an edit");  // knows that the draft weaves the weave
+    return true;
+  } catch (const InputError& error) {
+    expect(edit.mayBeRefused, fmt::format("step {} leaves no fabric: {}", step, error.what()));
+    return false;
+  }
+}
+
 }  // namespace
 
 void fuzzEdits(std::string_view bytes) {
   Choices choices(bytes);
   Fabric fabric;
   for (int step = 0; step < kMostSteps && !choices.isOver(); ++step) {
-    Fabric next = edited(fabric, choices);
+    Edited edit = edited(fabric, choices);
+    const Fabric& next = edit.fabric;
     if (std::max(next.weave.ends(), next.weave.picks()) > 4 * kMostYarnsASide) break;  // a structure's repeat
-    try {
-      validate(next, "an edit");  // knows that the draft weaves the weave
-    } catch (const InputError& error) {
-      throw Finding(fmt::format("step {} leaves no fabric: {}", step, error.what()));
-    }
+    if (!isTaken(edit, step)) continue;
     expect(changes(next, next).stages == Stages{}, "a fabric differs from itself");
-    fabric = std::move(next);
+    expect(!edit.stages || changes(fabric, next).stages.within(*edit.stages),
+           fmt::format("step {} puts more out of date than what it edits", step));
+    fabric = std::move(edit.fabric);
   }
   expect(fabricFromJson(fabricToJson(fabric), "a.json") == fabric, "the fabric is written as another");
   // A draft has one repeat of weave and colours together.

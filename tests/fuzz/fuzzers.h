@@ -16,7 +16,8 @@ void fuzzMeshes(std::string_view bytes);       ///< OBJ, PLY, OFF, up to what cl
 void fuzzExr(std::string_view bytes);          ///< pictures, their sizes, their texts
 void fuzzPng(std::string_view bytes);          ///< likewise
 void fuzzCommandLine(std::string_view bytes);  ///< a word in each line
-void fuzzEdits(std::string_view bytes);        ///< edits of a fabric: every one leaves a valid fabric
-void fuzzRebuilds(std::string_view bytes);     ///< edits of a cloth: what is kept of its volume is what would be made
+void fuzzEdits(
+    std::string_view bytes);  ///< edits of weave, draft, yarns, fibres, colours, scene: every one leaves a fabric
+void fuzzRebuilds(std::string_view bytes);  ///< edits of a cloth: what is kept of its volume is what would be made
 
 }  // namespace loomlight::fuzz
