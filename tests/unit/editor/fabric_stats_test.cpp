@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 
+#include "app/editor/controllers/status_model.h"
 #include "app/editor/model/sample_fabric.h"
 #include "tests/support/wakes.h"
 
@@ -91,6 +92,16 @@ TEST(FabricStatsWorker, TheSectionIsThatOfTheClothThatWasBuilt) {
   EXPECT_EQ(worker.newest()->section->points.size(), points) << "as it was, until the cloth is built";
   worker.request(next, 0, makeScene(next, Task{}, scene.get()));
   EXPECT_TRUE(wakes.until([&] { return worker.newest()->section->points.size() > points; }));
+}
+
+/// Peirce's formula knows nothing of how yarns lie; it is the geometry that is asked.
+TEST(StatusModel, SaysWhatYarnsCoverAsTheyLie) {
+  FabricStats stats;
+  stats.fabric = std::make_shared<const Fabric>();
+  LiveStatus status;
+  status.measures.thickness_mm = 0.3;
+  status.measures.cover = 0.75;
+  EXPECT_DOUBLE_EQ(statusModel(&stats, status, {}, nullptr).coverPercent, 75);
 }
 
 TEST(YarnSection, OfAYarnThatTheClothDoesNotUseIsThatOfPlainCloth) {
