@@ -12,22 +12,22 @@
 HWY_BEFORE_NAMESPACE();
 namespace loomlight::HWY_NAMESPACE {
 
-/// Where in the segment the light is, and what it comes from.
+/// The light of each ray as it comes to a voxel; places are in mm along the ray.
 struct LightLanes {
-  Real start, end;    ///< of its way in the segment
-  Real ahead;         ///< of the light, the axes that it meets there
+  Real start, end;    ///< of its way through the segment of the cloth
+  Real ahead;         ///< so far before the axes of fibres light meets their surfaces, mm
   Real lastEnd;       ///< where the fibres of the voxel before ended
-  Real filledBefore;  ///< how much of the space there is fibre
+  Real filledBefore;  ///< how much of the space was fibre there, 0..1
 };
 
-/// The stretches of as many rays as a register holds, all in the same units along the ray.
+/// In one voxel, the stretches of as many rays as a register holds, in mm along each ray.
 class StretchLanes {
  public:
   static constexpr int kMost = 2 * CellLanes::kSlots;
 
   HWY_INLINE StretchLanes() {}
 
-  /// None, of rays that go from `enter` to `leave` in a voxel.
+  /// Begins a voxel that the rays enter and leave there; it has no stretches yet.
   HWY_INLINE void clear(Real enter, Real leave) {
     count_ = 0;
     first_ = leave;
@@ -36,9 +36,9 @@ class StretchLanes {
     apart_ = enter < enter;
   }
 
-  /// From where to where axes of a component are, what the ray meets of them, 1/mm, and how much of the space is fibre
-  /// that others keep out of. Where a ray has no such stretch, `to` is before `from`; where it is not all of the way
-  /// through the voxel, it is `boxed`.
+  /// Adds that of a component: from where to where its axes are, what the ray meets of them (1/mm), and how much of the
+  /// space is fibre that others keep out of (0..). Of a ray that goes by the component, `to` is before `from`. `boxed`:
+  /// the component fills a part of the voxel.
   HWY_INLINE void add(Real from, Real to, Real sigma, Real kept, Mask boxed) {
     first_ = least(first_, from);
     last_ = most(last_, to);
@@ -51,11 +51,11 @@ class StretchLanes {
     s.kept = kept;
   }
 
-  /// All that the stretches take up.
+  /// Where the first of the stretches begins, and where the last of them ends.
   HWY_INLINE Real first() const { return first_; }
   HWY_INLINE Real last() const { return last_; }
 
-  /// How much of the space is fibre where the last of them ends.
+  /// How much of the space is fibre where the last stretch ends, 0..kFullest.
   HWY_INLINE Real filledAtLast() const {
     Real filled(0.0f);
     for (int i = 0; i < count_; ++i) {
@@ -93,7 +93,8 @@ class StretchLanes {
     return depth;
   }
 
-  /// Where along the axes a depth is used up that is less than the sum. Rays of `several` have more than one stretch.
+  /// Where along the axes a depth is used up that is less than what spend() has returned. Rays of `several` have more
+  /// than one stretch.
   HWY_INLINE Real placeOf(Real depth, Mask several) const {
     const Stretch& alike = stretches_[0];
     const Real one(1.0f), beyond = depth - sigmaNear_ * alike.near;

@@ -73,18 +73,21 @@ class Convert(CommandLineTest):
         self.run_program("convert", fabric, "expected.png")
         self.assertEqual(read_png(self.folder / "weave.png"), read_png(self.folder / "expected.png"))
 
+    def said_of(self, draft, *options):
+        """What converting the text of a WIF draft says; the fabric is a.json."""
+        (self.folder / "a.wif").write_text(draft)
+        return self.run_program("convert", "a.wif", "a.json", *options, messages=True)
+
     def test_a_draft_says_which_option_takes_more_of_it(self):
         draft = ("[WIF]\n[CONTENTS]\nNOTES=true\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=1\n[WARP]\nThreads=2\nUnits=cm\nSpacing=.1\n"
                  "[WEFT]\nThreads=50\n[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n")
-        (self.folder / "a.wif").write_text(draft)
-        said = self.run_program("convert", "a.wif", "a.json", messages=True)
+        said = self.said_of(draft)
         self.assertIn("--wif-threads named cuts it to the 2 ends and 2 picks", said)
         self.assertIn("--wif-sizes file takes", said)
         self.assertLess(said.index("--wif-sizes file takes"), said.index("[CONTENTS]"), "of the cloth before the file")
-        said = self.run_program("convert", "a.wif", "b.json", "--wif-threads", "named", "--wif-sizes", "file",
-                                messages=True)
+        said = self.said_of(draft, "--wif-threads", "named", "--wif-sizes", "file")
         self.assertNotIn("--wif", said)
-        fabric = json.loads(self.bytes_of("b.json"))
+        fabric = json.loads(self.bytes_of("a.json"))
         self.assertEqual(fabric["draft"]["treadling"], [1, 2])
         self.assertEqual(fabric["ends_per_cm"], 10)
 
@@ -99,8 +102,7 @@ class Convert(CommandLineTest):
     def test_a_draft_of_thick_yarns_says_which_option_takes_them(self):
         draft = ("[WIF]\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=1\n[WARP]\nThreads=2\nUnits=cm\n"
                  "Thickness=.1\n[WEFT]\nThreads=2\n[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n")
-        (self.folder / "a.wif").write_text(draft)
-        said = self.run_program("convert", "a.wif", "a.json", messages=True)
+        said = self.said_of(draft)
         self.assertIn("The file's warp yarn is 1 mm thick", said)
         self.assertIn("--wif-sizes file takes", said)
 
