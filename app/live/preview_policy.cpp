@@ -17,7 +17,7 @@ PreviewStart previewStart(const PreviewHave& have) {
   if (have.sameRequest && have.divider > 0) {
     start.reached = have.divider;
   } else if (have.sameRequest || sameView) {
-    start.first = {kLegible, kPatience_s};
+    start.first = {kLegible, kPatience_s, kFiner};
   } else if (start.knowsCost) {
     start.first = {kInMotion, kFollowing_s, kFiner};
   }

@@ -38,6 +38,9 @@ int bucketSide(double pixelsInBudget, int divider) {
   return PathRecords::kTile * std::max(kFewestOfCoarse, tiles / divider);
 }
 
+/// The divider of the last pass through a cloth that is still being built.
+constexpr int kFinestSketch = 2;
+
 glm::vec4 light(const Film& film, int x, int y) {
   return glm::vec4(film.mean(x, y), film.alpha(x, y));
 }
@@ -90,6 +93,7 @@ void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes&
 }
 
 bool Refinement::converged() const {
+  if (isSketch_ && spent_s_ > 0 && !pass_ && (known_ || history_.divider <= kFinestSketch)) return true;
   return !pass_ && nextPass(history_, samplesWanted()).samples == 0;
 }
 
@@ -124,20 +128,22 @@ Refinement::Pass Refinement::beginPass() const {
   return {plan, PictureBuckets(all, split ? bucketSide(budget_s / secondsPerPixel, plan.divider) : 0)};
 }
 
-/// First fibres come before any fine pass, which takes seconds, and in turn with coarse ones, which are quick and seen
-/// at once.
+/// First fibres come before any fine pass, which takes seconds. They come in turn with coarse ones, which are quick and
+/// seen at once, and before these, too, where light is known that they can be seen in.
 bool Refinement::hitsAreNext() {
-  if (!shared_ || shared_->hits() >= hitsWanted(history_)) return false;
+  if (!shared_ || isSketch_ || shared_->hits() >= hitsWanted(history_)) return false;
   hitsHadTheirTurn_ = !hitsHadTheirTurn_;
-  return hitsHadTheirTurn_ || nextPass(history_, samplesWanted()).divider == 1;
+  return knowsLight_ || hitsHadTheirTurn_ || nextPass(history_, samplesWanted()).divider == 1;
 }
 
 bool Refinement::advance(const Task& task) {
   threads_ = task.threads;
   if (converged()) return true;
+  isNews_ = true;
   history_.seconds = secondsSince(start_);
   if (!pass_ && hitsAreNext()) {
     const bool complete = shared_->addHits(hitsWanted(history_), task, passBudget_s(history_));
+    isNews_ = shared_->hits() > 0;
     spent_s_ += secondsSince(start_) - history_.seconds;
     return complete;
   }
@@ -281,6 +287,13 @@ void Refinement::takeNoise(Frame& frame) const {
   if (!isYoung && !denoised_) return;
   frame.variances = variances(frame);
   std::vector<glm::vec4> quiet(frame.plain().begin(), frame.plain().end());
+  // A camera that is dragged shows what stands in, whose noise has been taken: denoising takes longer than all the
+  // rest.
+  const bool isStandIn = !frame.shared && frame.divider == 1 && !fineBegun_;
+  if (isStandIn) {
+    if (denoised_) frame.denoised = std::move(quiet);
+    return;
+  }
   loomlight::denoise(quiet, {frame.hits, frame.variances}, frame.width, frame.height, threads_);
   if (isYoung && frame.helped.empty()) frame.helped = frame.rgba;
   for (size_t i = 0; isYoung && i < quiet.size(); ++i) {

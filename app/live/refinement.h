@@ -41,6 +41,9 @@ class Refinement {
   /// Leaves out all passes whose divider is this or larger: for a picture that another one stands in for, or that is
   /// not shown before it has many samples.
   void skipCoarse(int divider = 1) { history_.divider = divider; }
+  /// The cloth is still being built: coarse passes alone, and no first fibres for shared light, so that its builder has
+  /// the processor.
+  void asSketch() { isSketch_ = true; }
   /// Frames have no hits, and are as they were traced: for the inset.
   void asTraced() { asTraced_ = true; }
   /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
@@ -77,6 +80,8 @@ class Refinement {
   int divider() const { return history_.divider; }
   uint32_t samples() const { return history_.samples; }
   double spent_s() const { return spent_s_; }
+  /// Whether what is seen is the first pass, in light that was known before.
+  bool showsKnownLight() const { return known_.has_value(); }
   double secondsPerPath() const { return history_.secondsPerPath; }
   /// Whether most of what its pixels show is this view's own, each in its place: traced light, or light that is shared.
   bool hasDetail() const;
@@ -94,6 +99,8 @@ class Refinement {
 
   /// The next pass, or some buckets of one. False when stopped: then it goes on where it was.
   bool advance(const Task& task);
+  /// Whether that has changed what frame() shows.
+  bool isNews() const { return isNews_; }
 
   Frame frame() const;
   /// The picture at full resolution in other colours, with what stands in for it in these colours too, and the noise of
@@ -140,11 +147,12 @@ class Refinement {
   std::unique_ptr<SharedLight> shared_;   ///< null where none is shared
   bool knowsLight_ = false;               ///< from the picture before
   bool hitsHadTheirTurn_ = false;         ///< and the next coarse pass has it
+  bool isNews_ = true;                    ///< of the last step
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
   size_t paths_bytes_ = 0;                      ///< that the paths of either may take; 0: they are not kept
   std::unique_ptr<PathRecords> coarseRecords_;  ///< of coarse_
-  bool denoised_ = false, asTraced_ = false;
+  bool denoised_ = false, asTraced_ = false, isSketch_ = false;
   uint32_t rest_ = kUsualRest;  ///< samples a pixel
   int threads_ = 1;             ///< of the last pass
   std::optional<Pass> pass_;

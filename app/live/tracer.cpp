@@ -162,7 +162,9 @@ void Tracer::begin(const Request& before) {
   const bool sameSize = request.width == before.width && request.height == before.height;
   const bool better = picture_ && sameSize && request.generation == before.generation;
   const Fabric& fabric = *request.cloth.scene->fabric;
-  PreviewHave have{better, sameSize, better ? picture_->divider() : 0, {}, {}};
+  // A sketch in light that is known says more than a finer pass: the next one is seen in that light, too.
+  const bool again = request.sketch && picture_ && picture_->showsKnownLight();
+  PreviewHave have{better, sameSize, better && !again ? picture_->divider() : 0, {}, {}};
   if (picture_) have.sincePicture = changes(*picture_->scene().fabric, fabric);
   if (!better && sameSize && recolour(have.sincePicture)) return;
   if (clearFabric_) {
@@ -247,6 +249,7 @@ void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> li
   picture_.emplace(request.cloth, request.width, request.height, secondsPerPath);
   if (taken_.shared && SharedLight::serves(*request.cloth.scene, request.width, request.height))
     picture_->shareLight(std::move(light), edit);
+  if (request.sketch) picture_->asSketch();
   picture_->keepPaths(kPathBytes);
   picture_->denoise(taken_.denoised);
   picture_->restAt(taken_.rest);
@@ -326,7 +329,7 @@ std::optional<Task> Tracer::beginPass(const Refinement& refinement, const std::s
 
 void Tracer::tracePicture(const std::stop_token& stop) {
   const auto task = beginPass(*picture_, stop);
-  if (!task || !picture_->advance(*task)) return;
+  if (!task || !picture_->advance(*task) || !picture_->isNews()) return;
   if (worthShowing()) {
     recoloured_.reset();
     lookForDifference();

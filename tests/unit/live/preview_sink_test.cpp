@@ -51,7 +51,7 @@ class PreviewSink : public testing::Test {
 
 TEST_F(PreviewSink, IsMarkedUntilNothingOfItIsLeft) {
   show(black(), 1, true);
-  ASSERT_TRUE(waitFor(1, 8));
+  ASSERT_TRUE(waitFor(1, 0));
   const auto sketch = tracer.frame();
   EXPECT_EQ(sketch->quality, PreviewQuality::sketch);
   show(white(), 1, false);
@@ -68,7 +68,7 @@ TEST_F(PreviewSink, IsMarkedUntilNothingOfItIsLeft) {
 
 TEST_F(PreviewSink, IsNeverRecoloured) {
   show(white(), 1, true);
-  ASSERT_TRUE(waitFor(1, 8));
+  ASSERT_TRUE(waitFor(1, 0));
   show(black(), 2, false);
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
   EXPECT_NE(tracer.frame()->quality, PreviewQuality::recoloured);
@@ -77,7 +77,7 @@ TEST_F(PreviewSink, IsNeverRecoloured) {
 
 TEST_F(PreviewSink, IsNotWhatAStrokeLeavesAsItWas) {
   show(black(), 1, true);
-  ASSERT_TRUE(waitFor(1, 8));
+  ASSERT_TRUE(waitFor(1, 0));
   const double sketch = brightness(*tracer.frame());
   Fabric painted = white();
   painted.weave = painted.weave.with(0, 0, !painted.weave.at(0, 0));

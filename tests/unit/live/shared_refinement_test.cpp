@@ -19,6 +19,16 @@ class SharedRefinement : public test::RefiningTest {
     refinement.shareLight(nullptr, {});
     return refinement;
   }
+
+  /// Seen from elsewhere, and so slow that first fibres take several steps.
+  Traceable turnedSlowly() const {
+    Fabric turned = *cloth.scene->fabric;
+    turned.camera.azimuth_deg += 10;
+    return {makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()),
+            std::make_shared<const test::WatchedMedium>(cloth.medium, [](uint64_t path) {
+              if (path % 1000 == 1) std::this_thread::sleep_for(std::chrono::milliseconds(40));
+            })};
+  }
 };
 
 TEST_F(SharedRefinement, TheFilmKnowsNothingOfIt) {
@@ -57,22 +67,60 @@ TEST_F(SharedRefinement, FirstFibresAreThereBeforeAnyFinePassBegins) {
   Refinement before(cloth, kWidth, kTall, kSlow_s);
   before.shareLight(nullptr, {});
   refine(before, 1);
-  Fabric turned = *cloth.scene->fabric;
-  turned.camera.azimuth_deg += 10;
-  const auto slow = std::make_shared<const test::WatchedMedium>(cloth.medium, [](uint64_t path) {
-    if (path % 1000 == 1) std::this_thread::sleep_for(std::chrono::milliseconds(40));
-  });
-  const Traceable moved{makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()), slow};
-  Refinement after(moved, kWidth, kTall, kSlow_s);
-  after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, turned));
+  Refinement after(turnedSlowly(), kWidth, kTall, kSlow_s);
+  after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, *after.scene().fabric));
   after.standIn(std::make_shared<const Frame>(before.frame()));
   after.skipCoarse(3);
   int steps = 0;
   for (; !after.frame().shared; ++steps) {
     ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
     ASSERT_EQ(after.film().samples(kWidth / 2, kTall / 2), 0u);  // where a pass begins
+    EXPECT_EQ(after.isNews(), after.frame().shared);
   }
   EXPECT_GT(steps, 1);
+}
+
+// A view in known light is clearer than coarse passes with the noise of one path a pixel.
+TEST_F(SharedRefinement, FirstFibresComeBeforeCoarsePassesWhereLightIsKnown) {
+  constexpr int kTall = 3 * kHeight;
+  Refinement before(cloth, kWidth, kTall, kSlow_s);
+  before.shareLight(nullptr, {});
+  refine(before, 1);
+  Refinement after(turnedSlowly(), kWidth, kTall, 4 * kSlow_s);
+  after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, *after.scene().fabric));
+  after.beginWith({12, 0.1, 3});
+  ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+  const int first = after.divider();
+  ASSERT_GT(first, 2);
+  int steps = 0;
+  for (; after.frame().divider > 1; ++steps) {
+    ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+    EXPECT_EQ(after.divider(), first);
+  }
+  EXPECT_GT(steps, 1);
+}
+
+// The builder of a cloth needs the processor more than pictures of what there is of it.
+TEST_F(SharedRefinement, OfASketchThereAreCoarsePassesAlone) {
+  Fabric turned = *cloth.scene->fabric;
+  turned.weave = turned.weave.with(0, 0, !turned.weave.at(0, 0));
+  const Changes edit = changes(*cloth.scene->fabric, turned);
+  const Traceable next{test::sceneOf(turned), cloth.medium};
+  for (const bool known : {true, false}) {
+    Refinement before = sharing();
+    refine(before, 1);
+    Refinement sketch(next, kWidth, kHeight, 4 * kSlow_s);
+    sketch.shareLight(known ? before.takeSharedLight() : nullptr, edit);
+    sketch.asSketch();
+    sketch.beginWith({8, 0.3, 3});
+    EXPECT_FALSE(sketch.converged());
+    int passes = 0;
+    for (; !sketch.converged(); ++passes) ASSERT_TRUE(sketch.advance(Task{{}, {}, 1}));
+    EXPECT_EQ(sketch.showsKnownLight(), known);
+    EXPECT_EQ(passes == 1, known) << "in known light one says all";
+    EXPECT_EQ(sketch.samples(), 0u);
+    EXPECT_EQ(sketch.takeSharedLight()->hits(), 0u);
+  }
 }
 
 TEST_F(SharedRefinement, TheFirstPictureOfAMovedViewHasTheDetailOfTheOneBefore) {
