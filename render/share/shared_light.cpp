@@ -18,9 +18,10 @@ SharedFate sharedFate(const Changes& edit) {
   using Cells = SharedFate::Cells;
   const Stages stages = edit.stages;
   if (stages.within(Stage::label)) return {Cells::live, true};
-  if (stages.within(Stage::label | Stage::camera)) return {Cells::prior, false};
-  // Keys know crossings and the threads around; those further away matter little.
-  if (edit.crossingsAlone()) return {Cells::prior, false};
+  // Keys know yarns, materials, the crossings around and how the cloth lies. Where other fibres lie in a cell now, or
+  // threads further away do, its light of before is nearer the truth than none, and few paths take its place.
+  if (stages.within(Stage::label | Stage::camera | Stage::shape | Stage::grid | Stage::thread | Stage::drape))
+    return {Cells::prior, false};
   if (stages.within(Stage::label | Stage::light | Stage::surroundings | Stage::brightness | Stage::colour |
                     Stage::optics))
     return {Cells::places, true};

@@ -174,9 +174,13 @@ TEST(SharedLight, AnEditLeavesWhatIsStillSo) {
             (SharedFate{Cells::prior, false}));
   EXPECT_EQ(fate([](Fabric& f) { f.light.azimuth_deg += 5; }), (SharedFate{Cells::places, true}));
   EXPECT_EQ(fate([](Fabric& f) { f.fibres[0].absorption_per_mm = Rgb(9); }), (SharedFate{Cells::places, true}));
-  EXPECT_EQ(fate([](Fabric& f) { f.yarns[0].plyTwist_per_m += 50; }), (SharedFate{Cells::none, false}));
-  EXPECT_EQ(fate([](Fabric& f) { f.drape.kind = DrapeKind::cylinder; }), (SharedFate{Cells::none, false}));
-  EXPECT_EQ(fate([](Fabric& f) { f.ends_per_cm += 1; }), (SharedFate{Cells::none, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.yarns[0].plyTwist_per_m += 50; }), (SharedFate{Cells::prior, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.drape.kind = DrapeKind::cylinder; }), (SharedFate{Cells::prior, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.ends_per_cm += 1; }), (SharedFate{Cells::prior, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.yarns[0].plyTwist_per_m += 50, f.light.azimuth_deg += 5; }),
+            (SharedFate{Cells::none, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.drape.kind = DrapeKind::cylinder, f.fibres[0].absorption_per_mm = Rgb(9); }),
+            (SharedFate{Cells::none, false}));
 }
 
 TEST(SharedLight, GoesOnAfterAnEdit) {
