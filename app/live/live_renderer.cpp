@@ -195,6 +195,7 @@ void LiveRenderer::Workers::showSketch(const ViewRequest& request, std::shared_p
   if (!sketch.medium) return;
   tracer.show({std::move(sketch), request.width, request.height, request.generation, true});
   std::lock_guard lock(mutex);
+  building = true;
   if (!first->cloth->volume->geometry().isSketched()) woven = std::move(first);
   if (builder.isWaiting()) job.giveWay();
   buildMayBeCancelled = true;

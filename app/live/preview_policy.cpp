@@ -20,6 +20,8 @@ PreviewStart previewStart(const PreviewHave& have) {
     start.first = {kLegible, kPatience_s, kFiner};
   } else if (start.knowsCost) {
     start.first = {kInMotion, kFollowing_s, kFiner};
+  } else {
+    start.first.finer = kFiner;
   }
   return start;
 }

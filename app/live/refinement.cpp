@@ -38,8 +38,8 @@ int bucketSide(double pixelsInBudget, int divider) {
   return PathRecords::kTile * std::max(kFewestOfCoarse, tiles / divider);
 }
 
-/// The divider of the last pass through a cloth that is still being built.
-constexpr int kFinestSketch = 2;
+/// Pictures that are coarser say little of the weave.
+constexpr int kLegible = 9;
 
 glm::vec4 light(const Film& film, int x, int y) {
   return glm::vec4(film.mean(x, y), film.alpha(x, y));
@@ -93,8 +93,9 @@ void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes&
 }
 
 bool Refinement::converged() const {
-  if (isSketch_ && spent_s_ > 0 && !pass_ && (known_ || history_.divider <= kFinestSketch)) return true;
-  return !pass_ && nextPass(history_, samplesWanted()).samples == 0;
+  if (pass_) return false;
+  if (isSketch_ && spent_s_ > 0 && (known_ || history_.divider < 2 * kFinestSketch)) return true;
+  return nextPass(history_, samplesWanted()).samples == 0;
 }
 
 /// What stands in gives way to as many samples as it has itself, even if fewer are wanted by now.
@@ -129,11 +130,12 @@ Refinement::Pass Refinement::beginPass() const {
 }
 
 /// First fibres come before any fine pass, which takes seconds. They come in turn with coarse ones, which are quick and
-/// seen at once, and before these, too, where light is known that they can be seen in.
+/// seen at once; or before them, where the light that they are seen in is known and the picture is legible until then.
 bool Refinement::hitsAreNext() {
   if (!shared_ || isSketch_ || shared_->hits() >= hitsWanted(history_)) return false;
   hitsHadTheirTurn_ = !hitsHadTheirTurn_;
-  return knowsLight_ || hitsHadTheirTurn_ || nextPass(history_, samplesWanted()).divider == 1;
+  const bool isLegible = known_ || showsMoved() || history_.divider <= kLegible;
+  return (knowsLight_ && isLegible) || hitsHadTheirTurn_ || nextPass(history_, samplesWanted()).divider == 1;
 }
 
 bool Refinement::advance(const Task& task) {
@@ -202,7 +204,8 @@ std::optional<MovedView> Refinement::moved(int threads) {
   return movedView(*before->frame, from, to, scene().cloth->shell->thickness_mm(), threads);
 }
 
-/// The view as a stand-in, and around it what there is of this one. Passes that are coarser than it are left out.
+/// The view as a stand-in, and around it what there is of this one. Coarse passes do nothing for it but bring light to
+/// the cells of what is shared.
 void Refinement::showMoved(MovedView view) {
   // The picture before may be clear, but its sheen is not that of this view.
   constexpr int kLeastWorth_samples = 4, kMostWorth_samples = 16;
@@ -211,7 +214,7 @@ void Refinement::showMoved(MovedView view) {
   frame.quality = PreviewQuality::coarse;
   known_.reset();
   standIn_.emplace(std::make_shared<const Frame>(std::move(frame)), worth_samples, std::move(view.kept));
-  skipCoarse();
+  if (!knowsLight_) skipCoarse();
 }
 
 /// The first pass with its pixels in light that is known from another view. False when stopped.
@@ -246,6 +249,7 @@ void Refinement::endPass() {
     if (records_ && records_->bytes() > 0) coarseRecords_.reset();
     if (!fading()) standIn_.reset();
   } else {
+    if (standIn_ && standIn_->isMoved()) return;
     Frame coarse = traced(*coarse_, plan.divider);
     finish(coarse);
     coarse.quality = PreviewQuality::coarse;  // each of its own pixels has a sample: nothing is left of a sketch
@@ -283,7 +287,10 @@ float Refinement::youth(const Frame& frame, bool isKept) const {
 /// Noise darkens a picture, as what is brighter than white is lost to the eye: a young one is shown denoised, which
 /// keeps all light, and less and less so until it is clear. What was traced stays beside it.
 void Refinement::takeNoise(Frame& frame) const {
-  const bool isYoung = !frame.shared && youth(frame, false) > 0;
+  // What stands in for a picture that is not begun was young itself and has had its noise taken; a drag has no time
+  // for doing it again.
+  const bool isTraced = fineBegun_ || frame.divider > 1;
+  const bool isYoung = isTraced && !frame.shared && youth(frame, false) > 0;
   if (!isYoung && !denoised_) return;
   frame.variances = variances(frame);
   std::vector<glm::vec4> quiet(frame.plain().begin(), frame.plain().end());
@@ -326,15 +333,21 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 Frame Refinement::frame() const {
   const bool shared = sharesLight();
   if (known_ && !shared) return *known_;
-  const int divider = shared || fineBegun_ || history_.divider == 1 || !coarse_ ? 1 : coarseDivider_;
+  const bool isWhole = shared || showsMoved() || fineBegun_ || history_.divider == 1 || !coarse_;
+  const int divider = isWhole ? 1 : coarseDivider_;
   Frame frame = traced(divider == 1 ? fine_ : *coarse_, divider);
   if (shared) share(frame);
   finish(frame);
   return frame;
 }
 
+/// A moved picture that was young itself gives way to light that is shared.
+bool Refinement::showsMoved() const {
+  return standIn_ && standIn_->isMoved() && (standIn_->samples() >= kClearSamples || !sharesLight());
+}
+
 bool Refinement::hasDetail() const {
-  if (standIn_ && standIn_->isMoved()) return standIn_->share(history_.samples) < 0.5f;
+  if (showsMoved()) return standIn_->share(history_.samples) < 0.5f;
   return history_.samples > 0 || sharesLight();
 }
 
@@ -346,7 +359,7 @@ bool Refinement::sharesLight() const {
 void Refinement::share(Frame& frame) const {
   frame.shared = true;
   frame.helped = shared_->picture(fine_, threads_);
-  if (!standIn_) return;
+  if (!standIn_ || (standIn_->isMoved() && !showsMoved())) return;
   for (int y = 0; y < fine_.height(); ++y)
     for (int x = 0; x < fine_.width(); ++x) {
       glm::vec4& own =

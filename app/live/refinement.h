@@ -41,9 +41,10 @@ class Refinement {
   /// Leaves out all passes whose divider is this or larger: for a picture that another one stands in for, or that is
   /// not shown before it has many samples.
   void skipCoarse(int divider = 1) { history_.divider = divider; }
-  /// The cloth is still being built: coarse passes alone, and no first fibres for shared light, so that its builder has
-  /// the processor.
+  /// The cloth is still being built, and its builder needs the processor: the picture rests when it is in light that
+  /// was known before, or at half its resolution, and no first fibres are found for shared light.
   void asSketch() { isSketch_ = true; }
+  static constexpr int kFinestSketch = 2;  ///< divider of the last pass
   /// Frames have no hits, and are as they were traced: for the inset.
   void asTraced() { asTraced_ = true; }
   /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
@@ -80,7 +81,7 @@ class Refinement {
   int divider() const { return history_.divider; }
   uint32_t samples() const { return history_.samples; }
   double spent_s() const { return spent_s_; }
-  /// Whether what is seen is the first pass, in light that was known before.
+  /// Whether no pass but the first is done, and that one has the light that was known before.
   bool showsKnownLight() const { return known_.has_value(); }
   double secondsPerPath() const { return history_.secondsPerPath; }
   /// Whether most of what its pixels show is this view's own, each in its place: traced light, or light that is shared.
@@ -99,7 +100,7 @@ class Refinement {
 
   /// The next pass, or some buckets of one. False when stopped: then it goes on where it was.
   bool advance(const Task& task);
-  /// Whether that has changed what frame() shows.
+  /// Whether the last advance() has changed what frame() shows.
   bool isNews() const { return isNews_; }
 
   Frame frame() const;
@@ -131,6 +132,7 @@ class Refinement {
   bool showKnownLight(const Task& task);
   std::optional<MovedView> moved(int threads);
   void showMoved(MovedView view);
+  bool showsMoved() const;
   Frame traced(const Film& film, int divider) const;
   glm::vec4 faded(const glm::vec4& own, int x, int y, const LightChange& change) const;
   void finish(Frame& frame) const;

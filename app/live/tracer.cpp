@@ -110,7 +110,7 @@ void Tracer::trace(const Wanted& wanted, const Tracing::Job& job) {
     if (job.isStopped()) return;
   }
   // Cloths and pictures come and go with every edit; nobody waits for anything now.
-  if (nextToTrace() == Subject::none) releaseFreeMemory();
+  if (nextToTrace() == Subject::none && !taken_.request.sketch) releaseFreeMemory();
 }
 
 /// A scene that has come during a pause is shown all the same, by its first pass.
@@ -162,9 +162,9 @@ void Tracer::begin(const Request& before) {
   const bool sameSize = request.width == before.width && request.height == before.height;
   const bool better = picture_ && sameSize && request.generation == before.generation;
   const Fabric& fabric = *request.cloth.scene->fabric;
-  // A sketch in light that is known says more than a finer pass: the next one is seen in that light, too.
-  const bool again = request.sketch && picture_ && picture_->showsKnownLight();
-  PreviewHave have{better, sameSize, better && !again ? picture_->divider() : 0, {}, {}};
+  // A sketch in light that is known says more than a finer pass would: the next sketch is seen in that light, too.
+  const bool repeatsKnownLight = request.sketch && picture_ && picture_->showsKnownLight();
+  PreviewHave have{better, sameSize, better && !repeatsKnownLight ? picture_->divider() : 0, {}, {}};
   if (picture_) have.sincePicture = changes(*picture_->scene().fabric, fabric);
   if (!better && sameSize && recolour(have.sincePicture)) return;
   if (clearFabric_) {
@@ -195,7 +195,7 @@ void Tracer::begin(const Request& before) {
   beginPicture(secondsPerPath, std::move(light), have.sincePicture.value_or(Changes{}));
   if (earlier) {
     picture_->standIn(earlier);
-    picture_->skipCoarse(start.reached);
+    picture_->skipCoarse(request.sketch ? std::max(start.reached, 2 * Refinement::kFinestSketch) : start.reached);
   } else {
     FirstPass first = start.first;
     if (booth_) first.finer = 1;  // lamps are told apart by the light of paths

@@ -15,7 +15,7 @@ namespace loomlight {
 /// | bricks of another phase      | ClothVolume::build() with a PreviewSink | sketch     | likewise                  |
 /// | scenes of these              | makeScene() with ScenePreviews          | sketch     | the scene is there        |
 /// | fewer pixels                 | nextPass(), Frame::divider              | coarse     | the first full pass       |
-/// | light of the view before     | SharedLight::known(), in a drag         | coarse     | each pixel has a cell     |
+/// | light of the picture before  | SharedLight::known(), after most edits  | coarse     | each pixel has a cell     |
 /// | the picture before a drag    | movedView(), StandIn                    | coarse+    | replaced sample by sample |
 /// | buckets of a pass            | PictureBuckets, Refinement              | coarse     | the pass is done          |
 /// | patches in the clear picture | patched(), where crossings were turned  | coarse+    | the new one is as clear   |

@@ -173,14 +173,16 @@ CellMeans::CellMeans(const CellSums& sums) : means_(sums.size()) {
     level.betweenFreedom += of.count - 1;
     level.spread += of.paths - of.paths2 / of.paths;
   }
-  constexpr double kLeast = 1, kMost = 1e6;
+  // At level 1 are yarns of all colours: what others show says nothing of one that is seen for the first time.
+  constexpr double kLeast = 1, kMostOfAll = 1e6, kMostOfYarns = 4;
   for (size_t l = 1; l < kLightCellLevels; ++l) {
     const Level& level = levels[l];
-    worth_[l] = kMost;
+    const double most = l == 1 ? kMostOfYarns : kMostOfAll;
+    worth_[l] = most;
     if (level.withinFreedom < 1 || level.betweenFreedom < 1) continue;
     const double within = level.within / level.withinFreedom;
     const double between = (level.between - level.betweenFreedom * within) / level.spread;
-    if (between > 0) worth_[l] = std::clamp(within / between, kLeast, kMost);
+    if (between > 0) worth_[l] = std::clamp(within / between, kLeast, most);
   }
   for (uint32_t i = 0; i < sums.size(); ++i) {
     const CellSums::Cell& cell = sums[i];

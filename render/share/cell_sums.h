@@ -34,12 +34,13 @@ class CellSums {
   /// What another store has, whose paths are others than ours.
   void merge(const CellSums& other);
   /// Lets the finest cells count for so many paths at most, on the average, and all others in proportion: what they
-  /// know is of a picture that has changed a little.
+  /// know is of a picture before an edit.
   void fade(uint32_t mostPaths);
 
   size_t size() const { return size_; }
   size_t bytes() const { return bytes_; }  ///< that it takes at most, whatever comes; not above the limit
   bool isFull() const { return size_ == cells_.size(); }
+  bool isHalfFull() const { return 2 * size_ >= cells_.size(); }
 
   struct Cell {
     uint64_t key;

@@ -12,7 +12,7 @@
 
 namespace loomlight {
 
-/// A view in light that is known before paths are traced for it, from another view of the same cloth. Each pixel shows
+/// A view in light that is known before paths are traced for it, from the picture before an edit. Each pixel shows
 /// one first fibre, which costs a fraction of a path.
 struct KnownView {
   SharedPicture picture;

@@ -5,12 +5,21 @@
 namespace loomlight {
 namespace {
 
-/// Paths that a cell of a picture which has changed a little counts for.
-constexpr uint32_t kPriorPaths = 16;
+/// Paths that what a cell knows from before an edit counts for: of a cloth that is the same but for single crossings,
+/// and of one that is like it.
+constexpr uint32_t kPriorPaths = 16, kPriorPathsOfLike = 4;
 
 /// In close-ups of denim voxels of 12 pixels make a clearer picture than the film in its first seconds, and voxels of
 /// 50 pixels do not.
 constexpr float kWidestVoxel_pixels = 16;
+
+/// Whether voxels of a crossing are counted as before. Where cloth has become a little thicker or thinner, they still
+/// lie nearly where they lay.
+bool haveLikeVoxels(const Scene& a, const Scene& b) {
+  constexpr int kThicker = 2;
+  const glm::ivec3 apart = glm::abs(a.cloth->volume->grid().cell - b.cloth->volume->grid().cell);
+  return apart.x == 0 && apart.y == 0 && apart.z <= kThicker;
+}
 
 }  // namespace
 
@@ -18,10 +27,13 @@ SharedFate sharedFate(const Changes& edit) {
   using Cells = SharedFate::Cells;
   const Stages stages = edit.stages;
   if (stages.within(Stage::label)) return {Cells::live, true};
-  // Keys know yarns, materials, the crossings around and how the cloth lies. Where other fibres lie in a cell now, or
-  // threads further away do, its light of before is nearer the truth than none, and few paths take its place.
+  if (stages.within(Stage::label | Stage::camera)) return {Cells::prior, false};
+  // Keys know crossings and the threads around; those further away matter little.
+  if (edit.crossingsAlone()) return {Cells::prior, false};
+  // They know yarns, materials and how the cloth lies, too. Where other fibres lie in a cell now its light of before is
+  // nearer the truth than none.
   if (stages.within(Stage::label | Stage::camera | Stage::shape | Stage::grid | Stage::thread | Stage::drape))
-    return {Cells::prior, false};
+    return {Cells::likely, false};
   if (stages.within(Stage::label | Stage::light | Stage::surroundings | Stage::brightness | Stage::colour |
                     Stage::optics))
     return {Cells::places, true};
@@ -49,7 +61,8 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
   // The same fabric may come again with bricks that were still missing.
   const bool sameVolume = scene->cloth->volume == scene_->cloth->volume;
   const bool sameCells = sameVolume && sameLightCells(*scene_->fabric, *scene->fabric);
-  if (cells_->isFull()) fate = {};
+  // Cells of a drape that is gone are never looked for again.
+  if (!haveLikeVoxels(*scene_, *scene) || cells_->isHalfFull()) fate = {};
   scene_ = std::move(scene);
   medium_ = std::move(medium);
   switch (fate.cells) {
@@ -57,6 +70,9 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
       break;
     case SharedFate::Cells::prior:
       cells_->fade(kPriorPaths);
+      break;
+    case SharedFate::Cells::likely:
+      cells_->fade(kPriorPathsOfLike);
       break;
     case SharedFate::Cells::places:
       cells_->fade(0);

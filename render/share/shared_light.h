@@ -15,7 +15,8 @@ namespace loomlight {
 struct SharedFate {
   enum class Cells {
     live,    ///< all they know is still so
-    prior,   ///< it is nearly so: they count for few paths
+    prior,   ///< nearly all of it is: they count for few paths
+    likely,  ///< their light is like what comes from there now: they count for even fewer
     places,  ///< they are there, but other light comes from them
     none
   };

@@ -190,6 +190,33 @@ TEST_F(SharedRefinement, AMovedViewIsAsSharpAsThePictureBefore) {
   }
 }
 
+// A clear picture says more of another view than cells do, and a young one less.
+TEST_F(SharedRefinement, AMovedViewThatWasYoungGivesWayToSharedLight) {
+  Fabric turned = *cloth.scene->fabric;
+  turned.camera.azimuth_deg += 5;
+  const Traceable moved{makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()), cloth.medium};
+  for (const uint32_t samples : {1u, 32u}) {
+    Refinement before = sharing();
+    refine(before, samples);
+    Refinement after(moved, kWidth, kHeight, kSlow_s);
+    after.movedFrom(std::make_shared<const Frame>(before.frame()), cloth.scene->fabric->camera);
+    after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, turned));
+    after.beginWith({12, 0.1, 3});
+    ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+    EXPECT_FALSE(after.frame().shared);
+    EXPECT_EQ(after.frame().divider, 1);
+    EXPECT_FALSE(after.hasDetail());
+    while (!after.frame().shared) ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+    EXPECT_EQ(after.samples(), 0u);
+    EXPECT_EQ(after.hasDetail(), samples == 1);
+    // Coarse passes bring light to cells, and are not seen.
+    while (after.divider() > 1) {
+      ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+      EXPECT_EQ(after.frame().divider, 1);
+    }
+  }
+}
+
 TEST_F(SharedRefinement, ServesVolumesOnEveryDrape) {
   EXPECT_TRUE(SharedLight::serves(*cloth.scene, kWidth, kHeight));
   Fabric bent = *cloth.scene->fabric, fibres = bent;

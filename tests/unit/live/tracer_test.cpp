@@ -47,7 +47,7 @@ TEST(Tracer, TheSamePictureBetterGoesOnFromACoarseOneAndCanBeStopped) {
       1);
   tracer.show({{scene, sketch}, kTraceWidth, kTraceHeight, 1});
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
-  ASSERT_EQ(tracer.frame()->divider, 2);
+  ASSERT_GT(tracer.frame()->divider, 1);
   tracer.show({{scene, built}, kTraceWidth, kTraceHeight, 1});
   builtSent.count_down();
   builtBegun.wait();
@@ -85,7 +85,7 @@ TEST(Tracer, TheSamePictureBetterIsNeverCoarser) {
     builtSent.count_down();
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->samples > 0; }));
   }
-  EXPECT_EQ(dividers.front(), 2);
+  EXPECT_GT(dividers.front(), 1);
   EXPECT_TRUE(std::is_sorted(dividers.rbegin(), dividers.rend()));
 }
 

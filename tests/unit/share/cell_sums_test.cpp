@@ -127,6 +127,18 @@ TEST(CellMeans, AParentIsWorthTheNoiseOverTheSpread) {
   EXPECT_NEAR(means.parentWorth_paths(2), 4, 4 * 3 * 0.08);
 }
 
+// Beside white yarns on both sides of the cloth, all alike and well known, the first few paths from a red one.
+TEST(CellMeans, AYarnThatIsNewHasItsOwnColour) {
+  CellSums sums;
+  for (uint64_t yarn = 0; yarn < 4; ++yarn) {
+    const uint32_t white = sums.add(path(yarn));
+    for (int i = 0; i < 10'000; ++i) sums.deposit(white, Rgb(i % 2 == 0 ? 0.5f : 1.5f));
+  }
+  const uint32_t red = sums.add(path(9));
+  for (int i = 0; i < 80; ++i) sums.deposit(red, Rgb(1, 0, 0));
+  EXPECT_LT(CellMeans(sums)[red].colour.g, 0.1);
+}
+
 TEST(CellMeans, AlikeCellsAreOne) {
   const CellSums sums = spreadCells(0, 1, 400, 4);
   const CellMeans means(sums);
