@@ -92,6 +92,12 @@ void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes&
   knowsLight_ = shared_->knows();
 }
 
+void Refinement::beginWith(const FirstPass& first) {
+  constexpr int kCoarsestInKnownLight = 12;
+  history_.first = first;
+  if (knowsLight_ && first.finer > 1) history_.first.coarsest = std::max(first.coarsest, kCoarsestInKnownLight);
+}
+
 bool Refinement::converged() const {
   if (pass_) return false;
   if (isSketch_ && spent_s_ > 0 && (known_ || history_.divider < 2 * kFinestSketch)) return true;

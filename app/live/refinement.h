@@ -37,7 +37,8 @@ class Refinement {
 
   void look(const PixelRect& window);  ///< within the film
   /// Before the first pass: no coarser than this, because the old picture says more than a coarser one would.
-  void beginWith(const FirstPass& first) { history_.first = first; }
+  /// In light that is known a pixel of it is seen as `finer` by `finer` of its own, so it may be coarser, as in a drag.
+  void beginWith(const FirstPass& first);
   /// Leaves out all passes whose divider is this or larger: for a picture that another one stands in for, or that is
   /// not shown before it has many samples.
   void skipCoarse(int divider = 1) { history_.divider = divider; }
