@@ -293,20 +293,13 @@ float Refinement::youth(const Frame& frame, bool isKept) const {
 /// Noise darkens a picture, as what is brighter than white is lost to the eye: a young one is shown denoised, which
 /// keeps all light, and less and less so until it is clear. What was traced stays beside it.
 void Refinement::takeNoise(Frame& frame) const {
-  // What stands in for a picture that is not begun was young itself and has had its noise taken; a drag has no time
-  // for doing it again.
+  // As long as nothing is traced at full resolution, what stands in for it is seen, whose noise has been taken; a drag
+  // has no time for taking it again.
   const bool isTraced = fineBegun_ || frame.divider > 1;
   const bool isYoung = isTraced && !frame.shared && youth(frame, false) > 0;
   if (!isYoung && !denoised_) return;
   frame.variances = variances(frame);
   std::vector<glm::vec4> quiet(frame.plain().begin(), frame.plain().end());
-  // A camera that is dragged shows what stands in, whose noise has been taken: denoising takes longer than all the
-  // rest.
-  const bool isStandIn = !frame.shared && frame.divider == 1 && !fineBegun_;
-  if (isStandIn) {
-    if (denoised_) frame.denoised = std::move(quiet);
-    return;
-  }
   loomlight::denoise(quiet, {frame.hits, frame.variances}, frame.width, frame.height, threads_);
   if (isYoung && frame.helped.empty()) frame.helped = frame.rgba;
   for (size_t i = 0; isYoung && i < quiet.size(); ++i) {
