@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -206,6 +207,11 @@ TEST_F(SharedRefinement, AMovedViewThatWasYoungGivesWayToSharedLight) {
     EXPECT_FALSE(after.frame().shared);
     EXPECT_EQ(after.frame().divider, 1);
     EXPECT_FALSE(after.hasDetail());
+    after.denoise(true);
+    const Frame quiet = after.frame();
+    ASSERT_EQ(quiet.denoised.size(), quiet.plain().size());
+    EXPECT_FALSE(std::equal(quiet.denoised.begin(), quiet.denoised.end(), quiet.plain().begin()));
+    after.denoise(false);
     while (!after.frame().shared) ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
     EXPECT_EQ(after.samples(), 0u);
     EXPECT_EQ(after.hasDetail(), samples == 1);
