@@ -146,4 +146,18 @@ void expectSameFabric(const Fabric& wanted, const std::string& wantedFile, const
                   otherFile, wantedFile, differences[0].at("path").get<std::string>()));
 }
 
+void expectSameOrigin(const SampleOrigin& wanted, const std::string& wantedFile, const SampleOrigin& other,
+                      const std::string& otherFile) {
+  const auto expectSame = [&](const std::string& a, const std::string& b, const char* what) {
+    if (a == b) return;
+    throw InputError(fmt::format("{}: expected samples of the same {} as {}, but here they are of {} and there of {}",
+                                 otherFile, what, wantedFile, b.empty() ? "none" : b, a.empty() ? "none" : a));
+  };
+  expectSame(wanted.program, other.program, "program");
+  expectSame(wanted.fibres, other.fibres, "fibres");
+  expectSame(wanted.mesh, other.mesh, "mesh");
+  expectSame(wanted.environment, other.environment, "environment");
+  expectSame(wanted.lamp, other.lamp, "spectrum of the lamps");
+}
+
 }  // namespace loomlight

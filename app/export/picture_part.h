@@ -53,5 +53,8 @@ PicturePart readPart(const std::string& file);
 /// settings, but for how many samples it is to have.
 void expectSameFabric(const Fabric& wanted, const std::string& wantedFile, const Fabric& other,
                       const std::string& otherFile);
+/// Likewise, unless they are by the same program, of the same fibres, and of files with the same content.
+void expectSameOrigin(const SampleOrigin& wanted, const std::string& wantedFile, const SampleOrigin& other,
+                      const std::string& otherFile);
 
 }  // namespace loomlight

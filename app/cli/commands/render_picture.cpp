@@ -28,7 +28,7 @@ struct Begun {
   Film film;                 ///< of the whole picture
   SampleBox box;             ///< the samples that are wanted
   uint32_t samples = 0;      ///< in every pixel of its window
-  std::string program = {};  ///< that traced what there is
+  SampleOrigin origin = {};  ///< of what there is
 };
 
 SampleBox boxOf(const PartChoice& choice, const RenderSettings& settings, const SampleBox& fallback) {
@@ -40,10 +40,19 @@ SampleBox boxOf(const PartChoice& choice, const RenderSettings& settings, const 
   return SampleBox::of(window, first, samples);
 }
 
+/// Throws unless the samples that there are, whoever traced them, are of these files and fibres. A picture by a program
+/// that did not say is taken at its word.
+void expectGoesOn(const SampleOrigin& has, const std::string& resumed, const Fabric& fabric, const std::string& fibres,
+                  const std::string& file) {
+  if (!has.program.empty()) expectSameOrigin(originOf(fabric, has.program, fibres), file, has, resumed);
+}
+
 Begun goOn(const RenderCommand& command, PicturePart part, const std::shared_ptr<const Fabric>& fabric,
            const std::string& input) {
   const RenderSettings& settings = fabric->render;
-  expectSameFabric(*fabric, input.empty() ? command.resume : input, part.info.fabric, command.resume);
+  const SampleOrigin& origin = part.info.origin;
+  expectSameFabric(*fabric, input, part.info.fabric, command.resume);
+  expectGoesOn(origin, command.resume, *fabric, origin.fibres, input);  // which are laid is known when there is a cloth
   if (part.info.boxes.size() > 1)
     throw InputError(fmt::format(
         "{}: merged of parts that leave gaps; expected a picture or one part of it to go on with", command.resume));
@@ -61,7 +70,7 @@ Begun goOn(const RenderCommand& command, PicturePart part, const std::shared_ptr
                                  command.resume, settings.samplesPerPixel));
   Film film(settings.width, settings.height);
   film.merge(part.film, part.window.x, part.window.y);
-  return {fabric, std::move(film), wanted, samples, part.info.origin.program};
+  return {fabric, std::move(film), wanted, samples, origin};
 }
 
 Begun begin(const RenderCommand& command, const RenderOrder& job) {
@@ -70,10 +79,11 @@ Begun begin(const RenderCommand& command, const RenderOrder& job) {
   Fabric fabric =
       withOptions(job.input.empty() ? part->info.fabric : fabricFrom({job.input, command.wif}), command.options);
   if (job.frame) fabric = inFrame(std::move(fabric), command.turn.value_or(Turntable{}), *job.frame);
-  validate(fabric, job.input.empty() ? command.resume : job.input);
+  const std::string& input = job.input.empty() ? command.resume : job.input;
+  validate(fabric, input);
   const RenderSettings settings = fabric.render;
   auto shared = std::make_shared<const Fabric>(std::move(fabric));
-  if (part) return goOn(command, std::move(*part), shared, job.input);
+  if (part) return goOn(command, std::move(*part), shared, input);
   const SampleBox whole = SampleBox::of({0, 0, settings.width, settings.height}, 0, settings.samplesPerPixel);
   const SampleBox box = boxOf(command.part, settings, whole);
   return {shared, Film(settings.width, settings.height), box};
@@ -170,7 +180,7 @@ void write(const std::string& output, const Begun& picture, const Tone& tone, bo
   const RenderSettings& settings = picture.fabric->render;
   const bool cropped = picture.box.window() != PixelRect{0, 0, settings.width, settings.height};
   if (lowerExtension(output) == ".exr" && keepSums) {
-    const std::string program = bothPrograms(picture.program, buildName());
+    const std::string program = bothPrograms(picture.origin.program, buildName());
     writePart(output, picture.film, {*picture.fabric, originOf(*picture.fabric, program, fibres), {picture.box}});
   } else {
     writePicture(output, cropped ? picture.film.cropped(picture.box.window()) : picture.film, *picture.fabric, tone);
@@ -218,6 +228,8 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
     fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
     return Interrupt::kExitStatus;
   }
+  const std::string laid = fibresLaid(*built.scene, fibres);
+  expectGoesOn(picture.origin, command.resume, *picture.fabric, laid, job.input.empty() ? command.resume : job.input);
   const PixelRect window = picture.box.window();
   const int wanted = picture.box.high.z - picture.box.low.z;
   fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", window.width, window.height,
@@ -228,8 +240,7 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
   const double render_s = watch.lap();
 
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
-  write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(),
-        fibresLaid(*built.scene, fibres));
+  write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(), laid);
   const double total_s = whole.lap();
   const uint32_t samples = fewestSamples(picture.film, window);
   if (!job.stats.empty()) {

@@ -55,6 +55,29 @@ class Reproduce(CommandLineTest):
         message = self.run_program("render", "--resume", "slim.exr", "-o", "b.exr", "--spp", 7, status=1)
         self.assertIn("slim.exr", message)
 
+    def test_going_on_with_other_files_or_fibres_is_refused(self):
+        """What a fabric's files held when the first samples were traced is on record, whatever they are called."""
+        mesh, lamp = self.folder / "mesh.obj", self.folder / "lamp.txt"
+        even = "380 1\n780 1\n"
+        fibres = ("--method", "fibres", "--drape", "flat", "--fibres-extent")
+        for said, change, before, after in (
+            ("mesh", (mesh, SQUARE.replace("v 2 2 0", "v 2 2 1")), ("--drape", mesh), ("--drape", mesh)),
+            ("lamps", (lamp, "380 1\n780 2\n"), ("--illuminant", lamp), ("--illuminant", lamp)),
+            ("fibres", None, (*fibres, "piece"), (*fibres, "bricks")),
+        ):
+            with self.subTest(said=said):
+                mesh.write_text(SQUARE)
+                lamp.write_text(even)
+                render = ("render", self.cloth, "--view", "0,60,14", "--keep-sums")
+                self.run_program(*render, "-o", "a.exr", "--spp", 2, *before)
+                goes_on = (*render, "-o", "b.exr", "--spp", 3, "--resume", "a.exr", *after)
+                if change:
+                    self.run_program(*goes_on)
+                    change[0].write_text(change[1])
+                message = self.run_program(*goes_on, status=1)
+                self.assertIn("a.exr", message)
+                self.assertIn(said, message)
+
     def test_a_picture_renders_itself_again(self):
         first = self.render("first.exr", "--light", "directional:-60,40", "--view", "20,40", "--resolution", 1)
         self.cloth.unlink()
