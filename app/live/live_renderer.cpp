@@ -29,10 +29,6 @@ size_t recentBytes() {
   return static_cast<size_t>(std::min<uint64_t>(uint64_t{1} << 30, physicalMemory_bytes() / 16));
 }
 
-bool isReport(const Fabric& fabric) {
-  return fabric.render.method == Method::volume && fabric.render.estimator == Estimator::report;
-}
-
 /// Tables that a fabric of as many yarns can be shown with until its own are baked.
 bool serves(const std::shared_ptr<const BvdfSet>& set, const Fabric& fabric) {
   return set && set->tableOfYarn.size() == fabric.yarns.size();
@@ -41,7 +37,7 @@ bool serves(const std::shared_ptr<const BvdfSet>& set, const Fabric& fabric) {
 std::shared_ptr<const Medium> makeLiveMedium(const Scene& scene, const std::shared_ptr<const BvdfSet>& visibility,
                                              const Task& task) {
   // The tracer may hold the previous fibres until these are done.
-  if (!isReport(*scene.fabric)) return makeMedium(scene, 0.5 * defaultMemoryLimit_bytes(), task);
+  if (!scene.fabric->render.needsVisibility()) return makeMedium(scene, 0.5 * defaultMemoryLimit_bytes(), task);
   return std::make_shared<const ReportMedium>(
       scene.cloth, serves(visibility, *scene.fabric) ? visibility : expectedBvdf(scene, BvdfResolution{}));
 }
@@ -55,7 +51,7 @@ BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const RecentC
   Traceable& cloth = made.traceable;
   cloth.scene = makeScene(request.fabric, task, SceneBase{old.scene.get(), base.edit}, first);
   if (!cloth.scene) return {};
-  const bool sameTables = !isReport(*request.fabric) || made.visibility == base.cloth.visibility;
+  const bool sameTables = !request.fabric->render.needsVisibility() || made.visibility == base.cloth.visibility;
   const bool serves = old.medium && sameTables && old.scene->cloth == cloth.scene->cloth;
   cloth.medium = serves ? old.medium : makeLiveMedium(*cloth.scene, made.visibility, task);
   return cloth.medium ? made : BuiltCloth{};
@@ -178,6 +174,7 @@ void LiveRenderer::Workers::tellBuilt(const ViewRequest& request, const std::sha
   status.buildProgress = 1;
   status.error = error;
   buildMayBeCancelled = made || !error.empty();
+  if (!error.empty()) woven = scene;  // not its sketch, which lacks bricks
   if (!made) return;
   status.builtGeneration = request.generation;
   if (!before || made->cloth->volume != before->cloth->volume) {
@@ -217,17 +214,9 @@ void LiveRenderer::Workers::count() {
 
 /// Has fibres laid for the newest scene if the inset is open and has a use for them.
 void LiveRenderer::Workers::layFibres() {
-  std::shared_ptr<const Scene> newest;
-  double limit_bytes = 0;
-  {
-    std::lock_guard lock(mutex);
-    if (inset && scene && scene->fabric->render.method == Method::volume) {
-      newest = scene;
-      limit_bytes = inset->memoryLimit_bytes;
-    }
-  }
-  if (newest) {
-    layer.lay(std::move(newest), limit_bytes);
+  std::lock_guard lock(mutex);  // until it is asked for: the window and the builder both come here
+  if (inset && scene && scene->fabric->render.method == Method::volume) {
+    layer.lay(scene, inset->memoryLimit_bytes);
   } else {
     layer.clear();
   }
@@ -272,12 +261,11 @@ LiveRenderer::LiveRenderer(std::function<void()> wake, int threads)
 LiveRenderer::~LiveRenderer() = default;
 
 void LiveRenderer::request(ViewRequest request) {
-  {
-    std::lock_guard lock(workers_->mutex);
-    if (workers_->buildMayBeCancelled) {
-      workers_->buildMayBeCancelled = false;
-      workers_->builder.cancel();
-    }
+  // In one step, as the builder looks whether a request waits before it lets itself be cancelled.
+  std::lock_guard lock(workers_->mutex);
+  if (workers_->buildMayBeCancelled) {
+    workers_->buildMayBeCancelled = false;
+    workers_->builder.cancel();
   }
   workers_->builder.ask(std::move(request));
 }
@@ -308,7 +296,6 @@ LiveStatus LiveRenderer::status() const {
   const Tracer::State traced = workers_->tracer.state();
   std::lock_guard lock(workers_->mutex);
   LiveStatus status = workers_->status;
-  status.pathsPerSecond = traced.pathsPerSecond;
   if (status.error.empty()) status.error = traced.error;
   static constexpr LiveStatus::Phase kPhases[] = {LiveStatus::Phase::idle, LiveStatus::Phase::tracing,
                                                   LiveStatus::Phase::converged};

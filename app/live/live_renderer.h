@@ -58,9 +58,8 @@ struct LiveStatus {
   uint64_t builtGeneration = 0;  ///< newest request whose volume is ready
   VolumeCounts counts;
   ClothMeasures measures;
-  double buildSeconds = 0;       ///< of the last voxelisation
-  uint64_t bricksVoxelised = 0;  ///< by all of them
-  double pathsPerSecond = 0;
+  double buildSeconds = 0;           ///< of the last voxelisation
+  uint64_t bricksVoxelised = 0;      ///< by all of them
   std::string error;                 ///< of the newest request, for the user; empty if it could be built
   std::vector<std::string> notices;  ///< repairs of a mesh and the like
   InsetStatus inset;

@@ -10,8 +10,7 @@ namespace loomlight {
 namespace {
 
 constexpr double kFirstPictureSeconds = 0.025;  // with all else, a frame or two of a film
-constexpr int kCoarsest = 32;
-constexpr double kUsualSecondsPerPath = 1e-5;  // of cloth that fills the picture, on two cores
+constexpr double kUsualSecondsPerPath = 1e-5;   // of cloth that fills the picture, on two cores
 constexpr double kShortestPassSeconds = 0.1;
 constexpr double kLongestPassSeconds = 1.0;
 
@@ -25,7 +24,7 @@ int firstDivider(const PassHistory& h) {
   int divider = 1;
   const auto takesLongerThan = [&](double seconds) { return pathsAt(h, divider) * secondsPerPath > seconds; };
   while (divider < h.first.coarsest && takesLongerThan(kFirstPictureSeconds)) ++divider;
-  while (divider < kCoarsest && takesLongerThan(h.first.patience_s)) ++divider;
+  while (divider < FirstPass::kCoarsest && takesLongerThan(h.first.patience_s)) ++divider;
   if (divider > 1) divider = (divider + h.first.finer - 1) / h.first.finer * h.first.finer;
   return divider;
 }

@@ -15,9 +15,15 @@ struct PassPlan {
 };
 
 /// How coarse the first pass may be: its divider is at most `coarsest`, as long as it takes no longer than `patience_s`
-/// on all threads; a slower cloth begins as coarse as any, at 32.
+/// on all threads; a slower cloth begins as coarse as any, at kCoarsest. Then it is rounded up to a multiple of
+/// `finer`.
 struct FirstPass {
-  int coarsest = 32;
+  static constexpr int kCoarsest = 32;
+  /// Coarser pictures that stand still say nothing of the weave.
+  static constexpr int kLegible = 8;
+  /// In motion, or where every pixel of a pass is seen as `finer` by `finer` of its own, they may be as coarse as this.
+  static constexpr int kInMotion = 12;
+  int coarsest = kCoarsest;
   double patience_s = 0.1;
   int finer = 1;  ///< shown with so many times its pixels each way, where light is known (SharedLight::known)
 };

@@ -7,7 +7,6 @@
 namespace loomlight {
 
 PreviewStart previewStart(const PreviewHave& have) {
-  constexpr int kLegible = 8, kInMotion = 12;              // coarser ones say nothing of the weave
   constexpr int kFiner = 3;                                // the nine first fibres take 1.7 times as long as the path
   constexpr double kPatience_s = 0.3, kFollowing_s = 0.1;  // the first pass of a scene cannot be stopped
   PreviewStart start;
@@ -17,9 +16,9 @@ PreviewStart previewStart(const PreviewHave& have) {
   if (have.sameRequest && have.divider > 0) {
     start.reached = have.divider;
   } else if (have.sameRequest || sameView) {
-    start.first = {kLegible, kPatience_s, kFiner};
+    start.first = {FirstPass::kLegible, kPatience_s, kFiner};
   } else if (start.knowsCost) {
-    start.first = {kInMotion, kFollowing_s, kFiner};
+    start.first = {FirstPass::kInMotion, kFollowing_s, kFiner};
   } else {
     start.first.finer = kFiner;
   }

@@ -45,9 +45,10 @@ void RecentCloths::keep(BuiltCloth cloth) {
 void RecentCloths::count(size_t i) {
   if (i >= entries_.size()) return;
   bytes_ -= entries_[i].bytes;
-  entries_[i].bytes = entries_[i].volume().bytesBeside(entries_[i - 1].volume());
-  const auto& fibres = entries_[i].fibres();
-  if (fibres && fibres != entries_[i - 1].fibres()) entries_[i].bytes += fibres->bytes();
+  const TraceData &own = entries_[i].data(), &newer = entries_[i - 1].data();
+  entries_[i].bytes = own.volume->bytesBeside(*newer.volume);
+  if (own.fibres && own.fibres != newer.fibres) entries_[i].bytes += own.fibres->bytes();
+  if (own.shell != newer.shell) entries_[i].bytes += own.shell->bytes();
   bytes_ += entries_[i].bytes;
 }
 

@@ -18,8 +18,8 @@ struct BuiltCloth {
 /// anew. Cloths of one volume count as one: the newest.
 class RecentCloths {
  public:
-  /// `budget_bytes`: what volumes may take, with the bricks of fibres that close-ups have made, that the newest does
-  /// not share. Explicit fibres in one tree are kept of the newest alone.
+  /// `budget_bytes`: what cloths may take that are not the newest: volumes, bricks of fibres that close-ups have made,
+  /// and drapes, as far as they are not shared. Explicit fibres in one tree are kept of the newest alone.
   explicit RecentCloths(size_t budget_bytes) : budget_bytes_(budget_bytes) {}
 
   /// A cloth that another is made from, and what the edit between them has put out of date.
@@ -39,13 +39,12 @@ class RecentCloths {
  private:
   struct Entry {
     BuiltCloth cloth;
-    size_t bytes = 0;  ///< of its volume and bricks of fibres that the next newer one does not share
-    const ClothVolume& volume() const { return *cloth.traceable.scene->cloth->volume; }
-    const std::shared_ptr<const FibreBricks>& fibres() const { return cloth.traceable.scene->cloth->fibres; }
+    size_t bytes = 0;  ///< that the next newer one does not share
+    const TraceData& data() const { return *cloth.traceable.scene->cloth; }
   };
   void count(size_t i);
 
-  static constexpr size_t kMost = 64;
+  static constexpr size_t kMost = 64;  ///< cloths, however small
   size_t budget_bytes_;
   size_t bytes_ = 0;
   std::deque<Entry> entries_;  ///< newest first

@@ -38,9 +38,6 @@ int bucketSide(double pixelsInBudget, int divider) {
   return PathRecords::kTile * std::max(kFewestOfCoarse, tiles / divider);
 }
 
-/// Pictures that are coarser say little of the weave.
-constexpr int kLegible = 9;
-
 glm::vec4 light(const Film& film, int x, int y) {
   return glm::vec4(film.mean(x, y), film.alpha(x, y));
 }
@@ -93,14 +90,13 @@ void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes&
 }
 
 void Refinement::beginWith(const FirstPass& first) {
-  constexpr int kCoarsestInKnownLight = 12;
   history_.first = first;
-  if (knowsLight_ && first.finer > 1) history_.first.coarsest = std::max(first.coarsest, kCoarsestInKnownLight);
+  if (knowsLight_ && first.finer > 1) history_.first.coarsest = std::max(first.coarsest, FirstPass::kInMotion);
 }
 
 bool Refinement::converged() const {
   if (pass_) return false;
-  if (isSketch_ && spent_s_ > 0 && (known_ || history_.divider < 2 * kFinestSketch)) return true;
+  if (isSketch_ && spent_s_ > 0 && (known_ || history_.divider < kCoarseEnough)) return true;
   return nextPass(history_, samplesWanted()).samples == 0;
 }
 
@@ -137,11 +133,10 @@ Refinement::Pass Refinement::beginPass() const {
 
 /// First fibres come before any fine pass, which takes seconds. They come in turn with coarse ones, which are quick and
 /// seen at once; or before them, where the light that they are seen in is known and the picture is legible until then.
-bool Refinement::hitsAreNext() {
+bool Refinement::hitsAreNext() const {
   if (!shared_ || isSketch_ || shared_->hits() >= hitsWanted(history_)) return false;
-  hitsHadTheirTurn_ = !hitsHadTheirTurn_;
-  const bool isLegible = known_ || showsMoved() || history_.divider <= kLegible;
-  return (knowsLight_ && isLegible) || hitsHadTheirTurn_ || nextPass(history_, samplesWanted()).divider == 1;
+  const bool isLegible = known_ || showsMoved() || history_.divider < FirstPass::kLegible + history_.first.finer;
+  return (knowsLight_ && isLegible) || isHitsTurn_ || nextPass(history_, samplesWanted()).divider == 1;
 }
 
 bool Refinement::advance(const Task& task) {
@@ -149,7 +144,9 @@ bool Refinement::advance(const Task& task) {
   if (converged()) return true;
   isNews_ = true;
   history_.seconds = secondsSince(start_);
-  if (!pass_ && hitsAreNext()) {
+  const bool hitsNext = !pass_ && hitsAreNext();
+  isHitsTurn_ = !hitsNext;
+  if (hitsNext) {
     const bool complete = shared_->addHits(hitsWanted(history_), task, passBudget_s(history_));
     isNews_ = shared_->hits() > 0;
     spent_s_ += secondsSince(start_) - history_.seconds;
@@ -214,9 +211,9 @@ std::optional<MovedView> Refinement::moved(int threads) {
 /// the cells of what is shared.
 void Refinement::showMoved(MovedView view) {
   // The picture before may be clear, but its sheen is not that of this view.
-  constexpr int kLeastWorth_samples = 4, kMostWorth_samples = 16;
-  const auto worth_samples = static_cast<uint32_t>(std::clamp(view.samples, kLeastWorth_samples, kMostWorth_samples));
-  Frame frame = filledFrom(known_ ? *known_ : this->frame(), view, threads_);
+  constexpr int kLeastWorth_samples = 4;
+  const auto worth_samples = static_cast<uint32_t>(std::clamp(view.samples, kLeastWorth_samples, kClearSamples));
+  Frame frame = filledFrom(known_ ? inKnownLight() : this->frame(), view, threads_);
   frame.quality = PreviewQuality::coarse;
   known_.reset();
   standIn_.emplace(std::make_shared<const Frame>(std::move(frame)), worth_samples, std::move(view.kept));
@@ -239,10 +236,15 @@ bool Refinement::showKnownLight(const Task& task) {
   frame.hits = std::move(view->hits);
   frame.helped = frame.rgba;
   frame.shared = true;
-  finish(frame);
-  frame.quality = PreviewQuality::coarse;
   known_ = std::move(frame);
   return true;
+}
+
+Frame Refinement::inKnownLight() const {
+  Frame frame = *known_;
+  finish(frame);
+  frame.quality = PreviewQuality::coarse;
+  return frame;
 }
 
 void Refinement::endPass() {
@@ -331,7 +333,7 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 
 Frame Refinement::frame() const {
   const bool shared = sharesLight();
-  if (known_ && !shared) return *known_;
+  if (known_ && !shared) return inKnownLight();
   const bool isWhole = shared || showsMoved() || fineBegun_ || history_.divider == 1 || !coarse_;
   const int divider = isWhole ? 1 : coarseDivider_;
   Frame frame = traced(divider == 1 ? fine_ : *coarse_, divider);

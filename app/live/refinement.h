@@ -40,12 +40,11 @@ class Refinement {
   /// In light that is known a pixel of it is seen as `finer` by `finer` of its own, so it may be coarser, as in a drag.
   void beginWith(const FirstPass& first);
   /// Leaves out all passes whose divider is this or larger: for a picture that another one stands in for, or that is
-  /// not shown before it has many samples.
-  void skipCoarse(int divider = 1) { history_.divider = divider; }
+  /// not shown before it has many samples. A sketch makes its last pass all the same.
+  void skipCoarse(int divider = 1) { history_.divider = isSketch_ ? std::max(divider, kCoarseEnough) : divider; }
   /// The cloth is still being built, and its builder needs the processor: the picture rests when it is in light that
-  /// was known before, or at half its resolution, and no first fibres are found for shared light.
+  /// was known before, or at a half or a third of its resolution, and no first fibres are found for shared light.
   void asSketch() { isSketch_ = true; }
-  static constexpr int kFinestSketch = 2;  ///< divider of the last pass
   /// Frames have no hits, and are as they were traced: for the inset.
   void asTraced() { asTraced_ = true; }
   /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
@@ -111,6 +110,7 @@ class Refinement {
 
  private:
   using Clock = std::chrono::steady_clock;
+  static constexpr int kCoarseEnough = 4;  ///< a sketch rests at the first divider below this
 
   /// A pass under way: what is to be done, and how far it is.
   struct Pass {
@@ -128,9 +128,10 @@ class Refinement {
   std::unique_ptr<PathRecords> recordsFor(const Film& film) const;
   Pass beginPass() const;
   void endPass();
-  bool hitsAreNext();
+  bool hitsAreNext() const;
   bool showDetail(const Task& task);
   bool showKnownLight(const Task& task);
+  Frame inKnownLight() const;
   std::optional<MovedView> moved(int threads);
   void showMoved(MovedView view);
   bool showsMoved() const;
@@ -149,8 +150,8 @@ class Refinement {
   std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
   std::unique_ptr<SharedLight> shared_;   ///< null where none is shared
   bool knowsLight_ = false;               ///< from the picture before
-  bool hitsHadTheirTurn_ = false;         ///< and the next coarse pass has it
-  bool isNews_ = true;                    ///< of the last step
+  bool isHitsTurn_ = true;                ///< and that of a coarse pass after them
+  bool isNews_ = true;                    ///< the last step has changed what is to be seen
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
   size_t paths_bytes_ = 0;                      ///< that the paths of either may take; 0: they are not kept

@@ -49,6 +49,7 @@ void Tracer::want(const Change& change) {
   before = wanted_;
   change(wanted_);
   if (passMayBeCancelled_) worker_.cancel();
+  if (wanted_.requests != before.requests) passMayBeCancelled_ = false;
   worker_.ask(wanted_);
 }
 
@@ -101,7 +102,8 @@ Tracer::State Tracer::state() const {
 void Tracer::trace(const Wanted& wanted, const Tracing::Job& job) {
   take(wanted);
   bring(job);
-  for (Subject next = nextToTrace(); mayGoOn(next) && !worker_.isWaiting(); next = nextToTrace()) {
+  const auto isWaitedFor = [this] { return worker_.isWaiting() && (!picture_ || picture_->begun()); };
+  for (Subject next = nextToTrace(); mayGoOn(next) && !isWaitedFor(); next = nextToTrace()) {
     if (next == Subject::picture)
       tracePicture(job.stop());
     else
@@ -147,7 +149,7 @@ void Tracer::take(const Wanted& wanted) {
   if (isBooth) booth_ = taken_.booth ? std::optional(BoothView{}) : std::nullopt;
   for (auto* picture : {&picture_, &recoloured_})
     if (*picture) (*picture)->denoise(taken_.denoised);
-  for (auto* picture : {&picture_, &inset_})
+  for (auto* picture : {&picture_, &recoloured_, &inset_})
     if (*picture) (*picture)->restAt(taken_.rest);
   if (isRequest)
     begin(before.request);
@@ -195,7 +197,7 @@ void Tracer::begin(const Request& before) {
   beginPicture(secondsPerPath, std::move(light), have.sincePicture.value_or(Changes{}));
   if (earlier) {
     picture_->standIn(earlier);
-    picture_->skipCoarse(request.sketch ? std::max(start.reached, 2 * Refinement::kFinestSketch) : start.reached);
+    picture_->skipCoarse(start.reached);
   } else {
     FirstPass first = start.first;
     if (booth_) first.finer = 1;  // lamps are told apart by the light of paths
@@ -223,12 +225,15 @@ bool Tracer::recolour(const std::optional<Changes>& sincePicture) {
   const Changes edit = recoloured_ ? changes(*recoloured_->scene().fabric, *wanted.fabric) : *sincePicture;
   auto recolouring = recolouringBetween(known->scene(), wanted, edit);
   if (!recolouring) return false;
-  clear_.reset();
   if (!edit.picture()) {
-    if (recoloured_) picture_ = std::exchange(recoloured_, std::nullopt);  // back to the colours that it was traced in
-    if (booth_) booth_->learn(*picture_, threads_);
-    picturePending_ = pictured(picture_->frame());
+    if (recoloured_) {  // back to the colours that it was traced in
+      picture_ = std::exchange(recoloured_, std::nullopt);
+      clear_.reset();
+      if (booth_) booth_->learn(*picture_, threads_);
+    }
+    showPicture();
   } else {
+    clear_.reset();
     const double secondsPerPath = known->secondsPerPath();
     if (!recoloured_) recoloured_ = std::exchange(picture_, std::nullopt);
     recolouring_ = std::move(*recolouring);
@@ -261,7 +266,7 @@ void Tracer::showOtherwise() {
   if (!picture_) return;
   if (recoloured_) {
     showRecoloured();
-  } else if (picture_->begun() && worthShowing()) {
+  } else if (picture_->begun()) {
     showPicture();
   }
   publish();
@@ -322,8 +327,8 @@ void Tracer::showInset() {
 
 std::optional<Task> Tracer::beginPass(const Refinement& refinement, const std::stop_token& stop) {
   const std::lock_guard lock(mutex_);
+  if (refinement.begun() && worker_.isWaiting()) return std::nullopt;
   passMayBeCancelled_ = refinement.begun();
-  if (passMayBeCancelled_ && worker_.isWaiting()) return std::nullopt;
   return Task{stop, {}, threads_};
 }
 
@@ -336,7 +341,7 @@ void Tracer::tracePicture(const std::stop_token& stop) {
     showPicture();
   }
   // The inset follows a moving camera together with the picture around it.
-  if (!inset_ || inset_->begun()) publish();
+  if (!inset_ || inset_->begun() || taken_.paused) publish();
 }
 
 void Tracer::showPicture() {
@@ -400,10 +405,7 @@ void Tracer::publish() {
     return r.converged() ? State::Phase::converged : State::Phase::tracing;
   };
   State& state = shown_.state;
-  if (picture_) {
-    state.picture = phase(*picture_);
-    if (picture_->secondsPerPath() > 0) state.pathsPerSecond = 1 / picture_->secondsPerPath();
-  }
+  if (picture_) state.picture = phase(*picture_);
   if (inset_) state.inset = phase(*inset_);
 }
 

@@ -35,8 +35,7 @@ class Tracer {
   struct State {
     enum class Phase { idle, tracing, converged };
     Phase picture = Phase::idle, inset = Phase::idle;
-    double pathsPerSecond = 0;  ///< of the viewport's picture
-    std::string error;          ///< of the newest scene
+    std::string error;  ///< of the newest scene
   };
 
   /// `wake` is called when there is something new to show.
@@ -134,11 +133,11 @@ class Tracer {
   /// size, its pixels stand in.
   std::shared_ptr<const Frame> clear_;
   std::shared_ptr<const Fabric> clearFabric_;
+  ClearHelp clearHelp_ = ClearHelp::none;  ///< of it for the picture under way
   /// The last picture that had detail of its own, and of what: while only the camera moves, it shows what the new one
   /// sees of it.
   std::shared_ptr<const Frame> detailed_;
   std::shared_ptr<const Fabric> detailedFabric_;
-  ClearHelp clearHelp_ = ClearHelp::none;        ///< of it for the picture under way
   std::optional<BoothView> booth_;               ///< where it is asked for
   std::shared_ptr<const Frame> picturePending_;  ///< traced, not shown yet
   std::shared_ptr<const Frame> insetPending_;

@@ -39,6 +39,11 @@ Shell Shell::flat(double width_mm, double height_mm, double halfThickness_mm) {
   return shell;
 }
 
+size_t Shell::bytes() const {
+  return sizeof(Shell) + vertices().size_bytes() + std::span(vertexFrames_).size_bytes() + tets().size_bytes() +
+         boundary().size_bytes();
+}
+
 glm::vec3 Shell::toCloth(int tet, glm::vec3 world) const {
   if (isFlat()) return world + glm::vec3(upper_.x, upper_.y, 0);
   const Tet& t = tets_[static_cast<size_t>(tet)];

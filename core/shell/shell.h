@@ -62,6 +62,7 @@ class Shell {
   std::span<const Tet> tets() const { return tets_; }
   std::span<const glm::vec3> vertices() const { return vertices_; }
   std::span<const BoundaryFace> boundary() const { return boundary_; }
+  size_t bytes() const;
 
   /// The cloth's coordinates that the shell uses, mm: how large the piece must be, and which uv is its corner.
   glm::vec2 uvLower_mm() const { return uvLower_; }

@@ -15,17 +15,19 @@ namespace loomlight {
 /// elsewhere.
 struct Frame {
   int width = 0, height = 0;
-  std::vector<glm::vec4> rgba;      ///< as traced: linear, premultiplied by alpha; row by row from the top left
-  std::vector<glm::vec4> helped;    ///< for the display alone: with less noise as long as it is young; empty: as rgba
+  std::vector<glm::vec4> rgba;  ///< as traced: linear, premultiplied by alpha; row by row from the top left
+  /// For the display alone: with less noise as long as it is young, or in light that repeats share; empty: as rgba.
+  std::vector<glm::vec4> helped;
   std::vector<glm::vec4> denoised;  ///< for the display alone: with less noise; empty where not asked for
   std::vector<glm::vec4> booth;     ///< for the display alone: divided (booth.h); empty where not asked for, or unknown
   std::vector<Film::Hit> hits;      ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the inset
   std::vector<float> variances;     ///< of the luminance; empty where unknown, or where no noise was taken
   PixelRect window;                 ///< what it covers of the viewport
   uint64_t generation = 0;          ///< of the request it answers
-  int samples = 0;                  ///< that every pixel has at least; 0 for a coarse pass
-  int divider = 1;                  ///< of the resolution
-  double seconds = 0;               ///< since this picture was begun
+  /// Of every pixel at least, with what is left of those of a picture that stood in for it; 0 for a coarse pass.
+  int samples = 0;
+  int divider = 1;     ///< of the resolution
+  double seconds = 0;  ///< since this picture was begun
   PreviewQuality quality = PreviewQuality::clear;
   bool shared = false;  ///< `helped` is light that repeats share
 

@@ -7,7 +7,7 @@
 namespace loomlight {
 
 StandIn::StandIn(std::shared_ptr<const Frame> earlier)
-    : earlier_(std::move(earlier)), samples_(static_cast<uint32_t>(std::clamp(earlier_->samples, 1, 64))) {}
+    : earlier_(std::move(earlier)), samples_(static_cast<uint32_t>(std::clamp(earlier_->samples, 1, kMostSamples))) {}
 
 StandIn::StandIn(std::shared_ptr<const Frame> moved, uint32_t samples, std::vector<uint8_t> kept)
     : earlier_(std::move(moved)), samples_(samples), kept_(std::move(kept)) {}

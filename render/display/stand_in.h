@@ -26,7 +26,8 @@ class StandIn {
   float shareAt(int x, int y, uint32_t samples) const;
   bool isFineAt(int x, int y) const;
   bool isMoved() const { return !kept_.empty(); }
-  /// How many take its place; at most as many as are clear to the eye, so that it does not linger.
+  /// How many take its place; at most so many, so that it does not linger.
+  static constexpr int kMostSamples = 4 * kClearSamples;
   uint32_t samples() const { return samples_; }
   const Frame& frame() const { return *earlier_; }
   bool knowsVariance() const { return !earlier_->variances.empty(); }

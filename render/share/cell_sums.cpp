@@ -103,20 +103,6 @@ void CellSums::deposit(uint32_t cell, Rgb colour) {
   }
 }
 
-void CellSums::merge(const CellSums& other) {
-  std::vector<std::optional<uint32_t>> ours(other.size_);
-  for (uint32_t i = 0; i < other.size_; ++i) {
-    const Cell& theirs = other.cells_[i];
-    if (!ours[theirs.parent] && theirs.parent != i) continue;
-    ours[i] = make(theirs.key, theirs.parent == i ? 0 : *ours[theirs.parent]);
-    if (!ours[i]) continue;
-    Cell& sums = cells_[*ours[i]];
-    for (int c = 0; c < 3; ++c) sums.colour[c] += theirs.colour[c];
-    sums.squares += theirs.squares;
-    sums.paths += theirs.paths;
-  }
-}
-
 void CellSums::fade(uint32_t mostPaths) {
   if (size_ == 0) return;
   double finest = 0;

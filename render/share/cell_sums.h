@@ -31,8 +31,6 @@ class CellSums {
   uint32_t add(const LightCellPath& path);
   /// Light that a path has brought from there: to the cell and to all that it lies in.
   void deposit(uint32_t cell, Rgb colour);
-  /// What another store has, whose paths are others than ours.
-  void merge(const CellSums& other);
   /// Lets the finest cells count for so many paths at most, on the average, and all others in proportion: what they
   /// know is of a picture before an edit.
   void fade(uint32_t mostPaths);
@@ -48,7 +46,7 @@ class CellSums {
     uint64_t squares;   ///< sum over channels too, in quanta of their own
     uint32_t paths;
     uint32_t parent;  ///< always before the cell; of the first cell itself
-    int level() const { return static_cast<int>(key & kLightCellLevelBits); }
+    int level() const { return static_cast<int>(key & kLightCellLevelMask); }
     glm::dvec3 sum() const;
     double sumOfSquares() const;
   };

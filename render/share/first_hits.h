@@ -13,8 +13,8 @@
 namespace loomlight {
 
 /// Which cells each pixel of a picture shows: the first fibres of some paths through it, which end there and so cost a
-/// fraction of a path that looks for light. A pure function of (seed, camera, cloth, drape, what keys are made of):
-/// light and dyes may change, as long as sameLightCells().
+/// fraction of a path that looks for light. A pure function of (seed, camera, cloth, drape, the medium's law of events,
+/// what keys are made of): light and dyes may change, as long as sameLightCells().
 class FirstHits {
  public:
   static constexpr uint32_t kMost = 16;                     ///< of a pixel; fewer in a picture so large that...
@@ -25,7 +25,6 @@ class FirstHits {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  uint32_t most() const { return most_; }      ///< that a pixel may have
   uint32_t perPixel() const { return have_; }  ///< that have been traced for every pixel
   /// Traces so many for every pixel in all, and makes their cells; a pixel keeps most() of them. Where that takes
   /// longer than `budget_s`, some bands of rows, and the next call goes on. False when stopped: then it has those that

@@ -100,7 +100,7 @@ LightCellPath LightCellKeys::of(const Collision& first, glm::vec2 jitter) {
 
   LightCellPath path;
   uint64_t key = 0;
-  const auto level = [&](uint64_t i) { path.keys[i] = (key & ~kLightCellLevelBits) | i; };
+  const auto level = [&](uint64_t i) { path.keys[i] = (key & ~kLightCellLevelMask) | i; };
   level(0);
   key = hashCombine(hashCombine(hashCombine(key, static_cast<int>(first.yarnId.system)), first.yarn), first.material);
   key = hashCombine(key, sideOf(toEye));

@@ -17,7 +17,7 @@ struct LightCellPath {
   std::array<uint64_t, kLightCellLevels> keys{};
   uint64_t finest() const { return keys.back(); }
 };
-inline constexpr uint64_t kLightCellLevelBits = 7;
+inline constexpr uint64_t kLightCellLevelMask = 7;
 
 /// Whether every place of a volume is in the same cells for both fabrics, whatever their light and dyes.
 bool sameLightCells(const Fabric& before, const Fabric& after);
@@ -29,20 +29,20 @@ bool sameLightCells(const Fabric& before, const Fabric& after);
 /// - level 0: nothing
 /// - level 1: warp or weft, yarn, material, how deeply the thread is dyed, the side of the cloth frame that the eye is
 ///   on (6)
-/// - level 2: the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees
+/// - level 2: the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees; under the
+///   headlight, where it lies, in patches of 4 mm
 /// - level 3: which side the yarns cross on here and around (3 x 3), which yarns they are, block of 4 x 4 x 4 voxels
 /// - level 4: voxel
 ///
-/// Where the cloth lies is no part of it, but under the headlight. What shade it is in there is not known to its cells,
-/// but seen in the film (block_gains.h).
+/// What shade a place is in is not known to its cells, but seen in the film (block_gains.h).
 ///
 /// One thread, as many places as it likes. The scene must outlive it.
 class LightCellKeys {
  public:
   explicit LightCellKeys(const Scene& scene);
 
-  /// The cells of the place where a path met its first fibre. `jitter`: two numbers from -1/2 to 1/2, in steps of how
-  /// the cloth lies: places near a border of two such steps are then in either.
+  /// The cells of the place where a path met its first fibre. `jitter`: two numbers from -1/2 to 1/2, in the steps of
+  /// level 2: places near a border of two such steps are then in either.
   LightCellPath of(const Collision& first, glm::vec2 jitter = glm::vec2(0));
 
  private:

@@ -21,6 +21,11 @@ bool haveLikeVoxels(const Scene& a, const Scene& b) {
   return apart.x == 0 && apart.y == 0 && apart.z <= kThicker;
 }
 
+/// Whether media of both meet the same fibres first.
+bool sameEvents(const TraceData& a, const TraceData& b) {
+  return a.method == b.method && a.estimator == b.estimator && a.eventLaw == b.eventLaw;
+}
+
 }  // namespace
 
 SharedFate sharedFate(const Changes& edit) {
@@ -60,7 +65,8 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
   SharedFate fate = sharedFate(edit);
   // The same fabric may come again with bricks that were still missing.
   const bool sameVolume = scene->cloth->volume == scene_->cloth->volume;
-  const bool sameCells = sameVolume && sameLightCells(*scene_->fabric, *scene->fabric);
+  const bool sameCells =
+      sameVolume && sameEvents(*scene_->cloth, *scene->cloth) && sameLightCells(*scene_->fabric, *scene->fabric);
   // Cells of a drape that is gone are never looked for again.
   if (!haveLikeVoxels(*scene_, *scene) || cells_->isHalfFull()) fate = {};
   scene_ = std::move(scene);

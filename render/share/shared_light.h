@@ -53,7 +53,7 @@ class SharedLight {
   /// So many for every pixel, or what there is time for. False when stopped.
   bool addHits(uint32_t perPixel, const Task& task, double budget_s = std::numeric_limits<double>::infinity());
 
-  /// Whether light of an earlier picture is known.
+  /// Whether any light is known; straight after moveTo(), that is light of an earlier picture.
   bool knows() const { return cells_->size() > 0 && (*cells_)[0].paths > 0; }
   /// The view as it is known by what the cells have from an earlier picture and from a coarse film of this one, whose
   /// pixels are `finer` of its own each way. None when stopped.

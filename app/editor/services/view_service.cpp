@@ -11,13 +11,9 @@
 namespace loomlight {
 namespace {
 
-bool showsReport(const Fabric& fabric) {
-  return fabric.render.method == Method::volume && fabric.render.estimator == Estimator::report;
-}
-
 /// Whose visibility is to be baked: somebody looks at it, or the picture needs it. Null: nobody's.
 std::shared_ptr<const Fabric> bakedFor(const ViewState& state) {
-  return state.fabric && (state.visibilityShown || showsReport(*state.fabric)) ? state.fabric : nullptr;
+  return state.fabric && (state.visibilityShown || state.fabric->render.needsVisibility()) ? state.fabric : nullptr;
 }
 
 }  // namespace
@@ -113,7 +109,7 @@ void ViewService::followPicture(const ViewState& state) {
   // Early tables are good enough to begin with; the picture goes over to better ones as they come.
   const std::shared_ptr<const BakedVisibility> baked = visibility_.newest();
   const bool better =
-      showsReport(*state.fabric) && baked && (!usedVisibility_ || worthTaking(*baked, *usedVisibility_));
+      state.fabric->render.needsVisibility() && baked && (!usedVisibility_ || worthTaking(*baked, *usedVisibility_));
   const bool otherwise = state.fabric != state_.fabric || state.back != state_.back || state.flat != state_.flat;
   const bool another = otherwise || state.width != state_.width || state.height != state_.height;
   if (!another && !better) return;

@@ -143,6 +143,8 @@ struct RenderSettings {
   EventLaw eventLaw = EventLaw::projected;
   Observer observer = Observer::degrees2;
   UnknownKeys unknown;
+  /// Whether tables of local visibility are baked for it.
+  bool needsVisibility() const { return method == Method::volume && estimator == Estimator::report; }
   friend bool operator==(const RenderSettings&, const RenderSettings&);
 };
 

@@ -69,6 +69,20 @@ TEST_F(LiveRecolour, BackInItsOwnColoursThePictureGoesOn) {
   EXPECT_GE(renderer.frame()->samples, samples) << "a name is no reason to begin anew";
 }
 
+TEST_F(LiveRecolour, BackInItsOwnColoursThePictureRestsWhereItIsWantedByNow) {
+  const Fabric fabric = redCotton();
+  renderer.restAt(16);
+  show(fabric, 1);
+  ASSERT_TRUE(waitFor(1, 16));
+  Fabric darker = fabric;
+  darker.fibres[0].absorption_per_mm = Rgb(200, 150, 20);
+  show(darker, 2);
+  ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
+  renderer.restAt(64);
+  show(fabric, 3);
+  EXPECT_TRUE(waitFor(3, 64));
+}
+
 TEST_F(LiveRecolour, WhatIsNoColourIsTracedAnew) {
   Fabric fabric = redCotton();
   show(fabric, 1);

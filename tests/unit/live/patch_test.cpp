@@ -109,8 +109,8 @@ TEST(Patched, TakesCoarsePicturesThatReachBeyondTheEdge) {
   for (const glm::vec4& pixel : patched(fresh, old, kNow, kThen).rgba) EXPECT_EQ(pixel, kFresh);
 }
 
-// What a stroke of the brush does not touch stays as clear as it was, from the first picture on.
-TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
+/// Wider than the piece that is seen: a single crossing is turned.
+Fabric wideCloth() {
   Fabric fabric = test::whiteCotton();
   fabric.render.resolution = 4;
   // The soft border of a coarse picture reaches some crossings far: the piece has many.
@@ -118,10 +118,22 @@ TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
   fabric.camera.distance_mm = 24;
   fabric.yarns.push_back(fabric.yarns[0]);
   fabric.weftSequence = {1};
-  std::vector<Weave::Row> plain(32, Weave::Row(32));  // wider than the piece: a single crossing is turned
+  std::vector<Weave::Row> plain(32, Weave::Row(32));
   for (size_t pick = 0; pick < 32; ++pick)
     for (size_t end = 0; end < 32; ++end) plain[pick][end] = (pick + end) % 2 == 0;
   fabric.weave = Weave(plain);
+  return fabric;
+}
+
+size_t samePixels(const Frame& a, const Frame& b) {
+  size_t same = 0;
+  for (size_t i = 0; i < a.rgba.size(); ++i) same += a.rgba[i] == b.rgba[i];
+  return same;
+}
+
+// What a stroke of the brush does not touch stays as clear as it was, from the first picture on.
+TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
+  Fabric fabric = wideCloth();
   test::WorkerWindow window;
   // The last picture before the stroke, and the first one after it: the thread that traces shows none unseen.
   const LiveRenderer* shown = nullptr;
@@ -153,10 +165,36 @@ TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
   std::lock_guard lock(mutex);
   ASSERT_EQ(after->rgba.size(), before->rgba.size());
   EXPECT_EQ(after->divider, 1);
-  size_t same = 0;
-  for (size_t i = 0; i < after->rgba.size(); ++i) same += after->rgba[i] == before->rgba[i];
-  EXPECT_GT(same, after->rgba.size() / 2);
-  EXPECT_LT(same, after->rgba.size());
+  EXPECT_GT(samePixels(*after, *before), after->rgba.size() / 2);
+  EXPECT_LT(samePixels(*after, *before), after->rgba.size());
+}
+
+TEST(LivePatch, StaysWhenTheClothIsGivenAName) {
+  Fabric fabric = wideCloth();
+  test::WorkerWindow window;
+  LiveRenderer renderer(window.waker(), 1);
+  renderer.shareLight(false);
+  renderer.restAt(16);
+  const auto show = [&](uint64_t generation) {
+    renderer.request({std::make_shared<const Fabric>(fabric), 96, 96, generation, nullptr});
+  };
+  const auto rests = [&](uint64_t generation) {
+    return window.waitFor([&] {
+      const auto frame = renderer.frame();
+      return frame && frame->generation == generation && renderer.status().phase == LiveStatus::Phase::converged;
+    });
+  };
+  show(1);
+  ASSERT_TRUE(rests(1));
+  renderer.restAt(2);
+  fabric.weave = fabric.weave.with(14, 14, !fabric.weave.at(14, 14));
+  show(2);
+  ASSERT_TRUE(rests(2));
+  const auto patched = renderer.frame();
+  fabric.name = "a name";
+  show(3);
+  ASSERT_TRUE(rests(3));
+  EXPECT_EQ(samePixels(*renderer.frame(), *patched), patched->rgba.size());
 }
 
 }  // namespace

@@ -133,6 +133,23 @@ TEST(RecentCloths, CountAtLeastWhatTheyTake) {
   EXPECT_EQ(recent.count(), volumes.size());
 }
 
+// A drape that is dragged is a new cloth with each step, whose volume takes nothing beside the one before.
+TEST(RecentCloths, CountDrapes) {
+  RecentCloths recent(kPlenty);
+  Fabric fabric = twill();
+  fabric.drape.kind = DrapeKind::cylinder;
+  size_t shells = 0;
+  for (int step = 0; step < 3; ++step) {
+    fabric.drape.radius_mm += step;
+    show(fabric, recent);
+    const Shell& shell = *recent.baseFor(fabric).cloth.traceable.scene->cloth->shell;
+    EXPECT_GE(shell.bytes(), shell.tets().size() * sizeof(Shell::Tet));
+    EXPECT_GE(recent.bytes(), shells) << "those of the cloths before";
+    shells += shell.bytes();
+  }
+  EXPECT_EQ(recent.count(), 3u);
+}
+
 TEST(RecentCloths, LetExplicitFibresGo) {
   RecentCloths recent(kPlenty);
   Fabric fibres = twill();

@@ -118,6 +118,11 @@ TEST_F(SharedRefinement, OfASketchThereAreCoarsePassesAlone) {
     int passes = 0;
     for (; !sketch.converged(); ++passes) ASSERT_TRUE(sketch.advance(Task{{}, {}, 1}));
     EXPECT_EQ(sketch.showsKnownLight(), known);
+    // It rests, but noise is taken and given back all the same.
+    sketch.denoise(true);
+    EXPECT_FALSE(sketch.frame().denoised.empty());
+    sketch.denoise(false);
+    EXPECT_TRUE(sketch.frame().denoised.empty());
     EXPECT_EQ(passes == 1, known) << "in known light one says all";
     EXPECT_EQ(sketch.samples(), 0u);
     EXPECT_EQ(sketch.takeSharedLight()->hits(), 0u);

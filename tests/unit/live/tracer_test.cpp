@@ -137,6 +137,25 @@ TEST(Tracer, PausesAndGoesOn) {
   EXPECT_TRUE(window.waitFor([&] { return watched->paths() > paths && tracer.frame()->samples > 1; }));
 }
 
+// The inset follows a moving view together with the picture around it; in a pause it does not, and the picture does.
+TEST(Tracer, ShowsASceneThatComesInAPauseBesideAnOpenInset) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 2;
+  const std::shared_ptr<const Scene> scene = test::sceneOf(fabric);
+  const std::shared_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
+  fabric.camera.azimuth_deg += 20;
+  const auto turned = makeScene(std::make_shared<const Fabric>(fabric), Task{}, scene.get());
+  test::WorkerWindow window;
+  Tracer tracer(window.waker(), 1);
+  tracer.show({{scene, medium}, kTraceWidth, kTraceHeight, 1});
+  tracer.fibres({scene, medium});
+  tracer.inset(PixelRect{8, 8, 32, 32});
+  ASSERT_TRUE(window.waitFor([&] { return tracer.insetFrame() != nullptr; }));
+  tracer.pause(true);
+  tracer.show({{turned, medium}, kTraceWidth, kTraceHeight, 2});
+  EXPECT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
+}
+
 TEST(Tracer, TracesFromTheMomentThatItIsAsked) {
   const std::shared_ptr<const Scene> scene = test::sceneOf(test::whiteCotton());
   std::latch looked(1);

@@ -232,6 +232,7 @@ TEST(SharedLight, PixelsLookForTheirCellsWhereKeysHaveChanged) {
   EXPECT_EQ(hitsAfter([](Fabric& f) { f.yarns[0].fibre = 1; }), 0u);
   EXPECT_EQ(hitsAfter([](Fabric& f) { f.yarns[0].blendFibre = 1; }), 0u);
   EXPECT_EQ(hitsAfter([](Fabric& f) { f.light.kind = LightKind::headlight; }), 0u);
+  EXPECT_EQ(hitsAfter([](Fabric& f) { f.render.estimator = Estimator::none; }), 0u);
 }
 
 TEST(SharedLight, HitsComeInBandsWhereThereIsLittleTime) {
