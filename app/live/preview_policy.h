@@ -17,7 +17,7 @@ struct PreviewHave {
   bool sameSize = false;     ///< the viewport is as large as it was
   int divider = 0;           ///< of the last pass that filled the picture under way; 0: none has so far
   std::optional<Changes> sincePicture;  ///< from the picture under way, begun or not; none: there is none
-  std::optional<Changes> sinceClear;    ///< from the last picture that was clear; none: there was none
+  std::optional<Changes> sinceClear;    ///< from the last picture with detail of its own; none: there was none
 };
 
 /// How a picture begins.

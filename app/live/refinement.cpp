@@ -125,6 +125,8 @@ Refinement::Pass Refinement::beginPass() const {
   if (fading())
     plan.samples = std::min(plan.samples, history_.samples + std::max(1u, standIn_->samples() / kFadeSteps));
   const PixelRect all = covering(window_, plan.divider);
+  if (shared_ && plan.divider == 1)
+    plan.samples = std::min(plan.samples, history_.samples + SharedLight::samplesAtOnce(all.width, all.height));
   const uint32_t more = plan.divider == 1 ? plan.samples - history_.samples : 1;
   const double secondsPerPixel = more * history_.secondsPerPath, budget_s = passBudget_s(history_);
   const bool split = begun() && static_cast<double>(all.width) * all.height * secondsPerPixel > 2 * budget_s;

@@ -44,7 +44,8 @@ class Tracer {
   /// A scene to show. One of the same generation and size as the one before only shows the same better: the old picture
   /// gives way sample by sample. One that differs in colour alone is shown at once, as converged as
   /// the old picture, from the paths of that; it stays until a picture traced anew has as little noise. The paths kept
-  /// for it take at most 256 MB, and as much again while there are two pictures.
+  /// for it take at most 256 MB, twice that until its first fine pass is done, and as much again while there are two
+  /// pictures.
   void show(Request request);
   /// Where the inset is; null: it is closed.
   void inset(std::optional<PixelRect> window);
@@ -129,7 +130,7 @@ class Tracer {
   double varianceToBeat_ = 0;             ///< noise of recoloured_, which picture_ must not exceed to take its place
   double spentBeforeInset_s_ = 0;         ///< on the picture, before the inset was opened
   double insetSecondsPerPath_ = 0;        ///< of the last inset
-  /// The last picture with samples at full resolution, and of what: while crossings alone change, or the viewport's
+  /// The last picture with detail of its own in this view, and of what: while crossings alone change, or the viewport's
   /// size, its pixels stand in.
   std::shared_ptr<const Frame> clear_;
   std::shared_ptr<const Fabric> clearFabric_;

@@ -1,5 +1,7 @@
 #include "render/share/shared_light.h"
 
+#include <algorithm>
+
 #include "render/scene/camera_rays.h"
 
 namespace loomlight {
@@ -90,6 +92,11 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
   if (!fate.hits || !sameCells || width != hits_->width() || height != hits_->height())
     hits_ = std::make_unique<FirstHits>(width, height);
   deposits_ = std::make_unique<CellDeposits>(*scene_, *cells_, *hits_);
+}
+
+uint32_t SharedLight::samplesAtOnce(int width, int height) {
+  constexpr double kPaths = 4e6;  // of 24 bytes each, and the keys of new cells
+  return static_cast<uint32_t>(std::max(1.0, kPaths / std::max(1.0, static_cast<double>(width) * height)));
 }
 
 FirstFibreSink* SharedLight::listener(uint32_t samples, int divider) {

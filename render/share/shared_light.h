@@ -44,6 +44,8 @@ class SharedLight {
   void moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height,
               const Changes& edit);
 
+  /// Samples of so many pixels that it can hear in one pass: what they bring is kept until settle(), in some 100 MB.
+  static uint32_t samplesAtOnce(int width, int height);
   /// Hears the paths of the next pass, whose pixels are 1/divider of the resolution and have so many samples; null
   /// where cells need no more of them.
   FirstFibreSink* listener(uint32_t samples, int divider);
