@@ -187,5 +187,17 @@ class TestsRun(SmallTree):
         given = {label for labels in re.findall(r"^  ([a-z-]+)$", said, re.MULTILINE) for label in labels.split("-")}
         self.assertLessEqual(given, set(line.split("the labels are: ")[1].split()))
 
+    def test_a_list_of_tests_is_made_once_and_judges_nothing(self):
+        self.tool("cmake", "touch .build/release/build.ninja")
+        self.tool("ninja", "exit 0")
+        self.tool("ctest", 'echo "$@" >>calls; echo "Total Tests: 3"')
+        for words in (("-N",), ("-R", "volume", "-N"), ("--show-only=json-v1",), ("--print-labels",)):
+            with self.subTest(words=words):
+                (self.folder / "calls").unlink(missing_ok=True)
+                done = self.run_script("tests/run", *words)
+                self.assertEqual((done.returncode, done.stdout), (0, "Total Tests: 3\n"), done.stderr)
+                self.assertEqual((self.folder / "calls").read_text(), f"--preset release {' '.join(words)}\n")
+                self.assertNotIn("passed", done.stderr)
+
 
 main()
