@@ -46,16 +46,19 @@ install_packages() {
     fi
   fi
   say "installing ${missing[*]}"
-  local log apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -qq -o Dpkg::Use-Pty=0)
+  local log updating apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -qq -o Dpkg::Use-Pty=0)
   log=$(mktemp)
+  updating=$(mktemp)
   # A list that cannot be brought up to date may still do; whether it does is for the installation to say.
-  "${apt[@]}" update </dev/null >"$log" 2>&1 || true
-  if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >>"$log" 2>&1; then
+  "${apt[@]}" update </dev/null >"$updating" 2>&1 || true
+  if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >"$log" 2>&1; then
+    # A source that is dead is the reason only where a package is not in the lists that there are.
+    ! grep -qE 'Unable to locate package|no installation candidate' "$log" || cat "$updating" >>"$log"
     say "the packages could not be installed ($(reason_of_apt "$log")); $by_hand"
-    rm -f "$log"
+    rm -f "$log" "$updating"
     return 1
   fi
-  rm -f "$log"
+  rm -f "$log" "$updating"
 }
 
 # reason_of_apt LOG: why it failed, in a few words.
@@ -75,7 +78,7 @@ reason_of_apt() {
 free_megabytes() {
   local folder=$1
   while [[ ! -d $folder ]]; do folder=$(dirname "$folder"); done
-  df -Pm "$folder" | awk 'NR == 2 { print $4 }'
+  df --output=avail -BM "$folder" | tail -n 1 | tr -dc 0-9 # names of disks may have blanks
 }
 
 # need_megabytes N FOLDER WHAT: says it in a line where the disk of the folder has less left.
@@ -112,8 +115,17 @@ build_megabytes() {
   esac
 }
 
+# afresh: what to do where the folder of a build is of no use any more.
+afresh() { echo "please remove that folder and try again: rm -r $(printf %q "$build")"; }
+
 # configure TESTS: ON also builds the tests; OFF leaves a tree that is already configured as it is.
 configure() {
+  local configured_for=""
+  [[ ! -f $build/CMakeCache.txt ]] || configured_for=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
+  if [[ -n $configured_for && ! $configured_for -ef $root ]]; then
+    say "$build builds what is in $configured_for, where this tree was before it was moved or copied; $(afresh)"
+    return 1
+  fi
   if [[ $1 == OFF && -f $build/build.ninja ]]; then return; fi
   if [[ ! -f $build/build.ninja ]]; then
     need_megabytes "$(build_megabytes "$1")" "$build" "building" || return 1
@@ -122,20 +134,26 @@ configure() {
   mkdir -p "$build"
   if ! cmake -S "$root" --preset "$preset" -DLOOMLIGHT_TESTS="$1" >"$log" 2>&1 </dev/null; then
     cat "$log" >&2
-    say "configuring failed"
+    if [[ -f $build/build.ninja ]]; then
+      say "configuring failed; where the system has changed since it last succeeded, $(afresh)"
+    else
+      say "configuring failed"
+    fi
     return 1
   fi
 }
 
 # build_targets TARGET...: silent where nothing is to be done.
 build_targets() {
-  local jobs
+  local jobs said
   jobs=$(build_jobs)
   [[ -x $build/app/loomlight ]] || say "building with $jobs jobs, this takes a few minutes the first time"
-  if ! NINJA_STATUS='[%f/%t] ' ninja -C "$build" -j "$jobs" "$@" </dev/null 2>&1 |
-    sed -u '/no work to do/d; /Re-checking globbed/d; /Entering directory/d' >&2; then
+  if ! said=$(NINJA_STATUS='[%f/%t] ' ninja -C "$build" -j "$jobs" "$@" </dev/null 2>&1 |
+    sed -u '/no work to do/d; /Re-checking globbed/d; /Entering directory/d; w /dev/stderr'); then
     if (($(free_megabytes "$build") < 50)); then
       say "building failed: the disk of $build is full"
+    elif [[ $said == *"no known rule to make it"* || $said == *"CMake Error"* ]]; then
+      say "building failed; where the system has changed since $build was made, $(afresh)"
     else
       say "building failed"
     fi

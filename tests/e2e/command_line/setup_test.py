@@ -55,6 +55,23 @@ class Setup(CommandLineTest):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("apt-get install --no-install-recommends absent-dev", done.stderr)
 
+    def test_a_dead_source_is_the_reason_only_of_what_is_not_known(self):
+        dead = "W: Failed to fetch http://dead.invalid/dists/x/InRelease  Could not resolve 'dead.invalid'"
+        for updating, installing, reason in (
+            (dead, "E: You don't have enough free space in /var/cache/apt/archives/.", "the disk is full"),
+            (dead, "E: Unable to correct problems", "Unable to correct problems"),
+            (dead, "E: Unable to locate package absent-dev", "no network, or none that reaches the packages"),
+            (dead, "E: Package 'absent-dev' has no installation candidate", "no network, or none that reaches the packages"),
+            ("", "E: Unable to locate package absent-dev", "not known here: absent-dev; Debian 12 and 13 have them"),
+            ("", "E: Failed to fetch http://a.invalid/a.deb  Could not connect to a.invalid",
+             "no network, or none that reaches the packages"),
+        ):
+            with self.subTest(updating=updating, installing=installing):
+                self.tool("apt-get", f'[[ $* == *" update" ]] && said="{updating}" || said="{installing}"\necho "$said"; exit 100')
+                done = self.install()
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(f"could not be installed ({reason}); please run", done.stderr)
+
     def test_a_full_disk_is_told_from_other_reasons(self):
         for said, reason in (
             ("E: You don't have enough free space in /var/cache/apt/archives/.", "the disk is full"),
@@ -134,7 +151,8 @@ class AppRun(SmallTree):
         """What its calls say, one after the other, and the last one from then on."""
         (self.folder / "free").write_text("".join(f"{mb}\n" for mb in free_mb))
         self.tool("df", 'mb=$(head -n 1 free); (($(wc -l <free) == 1)) || sed -i 1d free\n'
-                        'printf "Filesystem 1M-blocks Used Available\\nours 9999 0 $mb\\n"')
+                        'if [[ $* == *--output=avail* ]]; then printf "Avail\\n%5sM\\n" $mb\n'
+                        'else printf "Filesystem 1M-blocks Used Available\\nour disk 9999 0 $mb\\n"; fi')
 
     def test_a_disk_that_is_too_small_is_known_before_building(self):
         self.df_says(100)
@@ -151,6 +169,39 @@ class AppRun(SmallTree):
                 done = self.app_run()
                 self.assertEqual((done.returncode, done.stdout), (1, ""))
                 self.assertRegex(done.stderr.splitlines()[-1], f"^loomlight: {end}$")
+
+    def configured_for(self, tree):
+        """As if it had been configured when the tree was there."""
+        (self.folder / ".build/release").mkdir(parents=True)
+        (self.folder / ".build/release/build.ninja").touch()
+        (self.folder / ".build/release/CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={tree}\n")
+
+    def test_what_was_built_elsewhere_is_to_be_removed(self):
+        self.configured_for("/elsewhere")
+        done = self.app_run()
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertRegex(done.stderr, r"\Aloomlight: [^\n]*/elsewhere[^\n]* try again: rm -r [^\n]*/\.build/release\n\Z")
+
+    def test_a_build_that_a_changed_system_has_spoilt_is_to_be_removed(self):
+        gone = "ninja: error: '/usr/lib/libgone.so.1', needed by 'app/loomlight', missing and no known rule to make it"
+        for said, helps in ((gone, True), ("CMake Error at CMakeLists.txt:3", True), ("a.cpp:1: error: no such type", False)):
+            with self.subTest(said=said):
+                shutil.rmtree(self.folder / ".build", ignore_errors=True)
+                self.configured_for(self.folder)
+                self.tool("ninja", f'echo "{said}"; exit 1')
+                done = self.app_run()
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                *_, error, last = done.stderr.splitlines()
+                self.assertEqual(error, said)
+                self.assertTrue(last.startswith("loomlight: building failed"))
+                self.assertEqual(last.endswith("/.build/release"), helps, last)
+
+    def test_configuring_that_fails_where_it_has_succeeded_before(self):
+        self.configured_for(self.folder)
+        self.tool("cmake", "exit 1")
+        self.assertRegex(self.run_script("tests/run").stderr, r"configuring failed; .*rm -r .*/\.build/release\n\Z")
+        (self.folder / ".build/release/build.ninja").unlink()
+        self.assertRegex(self.app_run().stderr, r"configuring failed\n\Z")
 
 
 class TestsRun(SmallTree):
