@@ -54,6 +54,30 @@ class Interrupt(CommandLineTest):
         self.run_program("render", self.fabric(), "-o", "whole.exr", "--size", size, "--spp", samples)
         self.assertEqual(self.bytes_of("out.exr"), self.bytes_of("whole.exr"))
 
+    def test_jobs_of_slurm_take_names_of_every_kind(self):
+        tools = self.folder / "tools"
+        tools.mkdir()
+        sbatch = tools / "sbatch"  # runs at once what Slurm would run later, by the same shell
+        sbatch.write_text("""#!/bin/bash
+            indices=0
+            while (($#)); do
+              case $1 in --array) indices=$2 ;; --wrap) job=$2 ;; esac
+              shift
+            done
+            for index in ${indices//,/ }; do SLURM_ARRAY_TASK_ID=$index /bin/sh -c "$job" >&2; done
+            echo 7
+            """)
+        sbatch.chmod(0o755)
+        fabric = self.fabric("grün, d'or & $(false) `x`.json")
+        words = [ROOT / "samples/farm/slurm_render", 1, 2, fabric, "ö's.exr", "32x24", 4, "--light", "sky"]
+        plain = {key: value for key, value in os.environ.items() if not key.startswith(("LC_", "LANG"))}
+        ran = subprocess.run(list(map(str, words)), cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
+                             env={**plain, "LC_ALL": "C", "LOOMLIGHT": LOOMLIGHT, "PATH": f"{tools}:{os.environ['PATH']}"},
+                             timeout=HANGS_S)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.run_program("render", fabric, "-o", "whole.exr", "--size", "32x24", "--spp", 4, "--light", "sky")
+        self.assertEqual(self.bytes_of("ö's.exr"), self.bytes_of("whole.exr"))
+
     def test_a_farm_takes_up_no_parts_of_another_order(self):
         fabric = self.fabric("farmed.json")
 
