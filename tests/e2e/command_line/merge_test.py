@@ -1,5 +1,6 @@
 """What is rendered in parts, by ranges of samples and windows of pixels, is put together to the bytes of one run."""
 
+import re
 import signal
 
 from harness import HANGS_S, CommandLineTest, main
@@ -98,6 +99,32 @@ class Merge(CommandLineTest):
         mesh.write_text(square.format(1))
         self.part("b.exr", 4, 3, "--drape", mesh, "--view", "0,60,14")
         self.assertIn("mesh", self.refused("a.exr", "b.exr"))
+
+    def test_an_environment_that_has_changed_is_another_picture(self):
+        light = ("--light", "ibl:surroundings.exr")
+        self.render("surroundings.exr", "--size", "32x16", spp=1)
+        self.part("a.exr", 0, 4, *light)
+        self.render("surroundings.exr", "--size", "32x16", "--seed", 2, spp=1)
+        self.part("b.exr", 4, 3, *light)
+        self.assertIn("environment", self.refused("a.exr", "b.exr"))
+
+    def test_a_spectrum_of_lamps_that_has_changed_is_another_picture(self):
+        lamp, options = self.folder / "lamp.txt", ("--illuminant", "lamp.txt")
+        lamp.write_text("380 1\n780 2\n")
+        self.part("a.exr", 0, 4, *options)
+        lamp.write_text("380 1\n780 3\n")
+        self.part("b.exr", 4, 3, *options)
+        self.assertIn("spectrum of the lamps", self.refused("a.exr", "b.exr"))
+
+    def test_parts_by_another_build_of_the_program_are_refused(self):
+        self.part("a.exr", 0, 4)
+        self.part("b.exr", 4, 3)
+        said = re.search(rb'"program":"([^"]+)"', self.bytes_of("b.exr"))[1]
+        another = said[:-1] + (b"x" if said[-1:] != b"x" else b"y")
+        (self.folder / "b.exr").write_bytes(self.bytes_of("b.exr").replace(said, another))
+        message = self.refused("a.exr", "b.exr")
+        for word in ("a.exr", "b.exr", "the same program", said.decode(), another.decode()):
+            self.assertIn(word, message)
 
     def test_other_fibres_are_another_picture(self):
         fibres = ("--method", "fibres", "--drape", "flat", "--fibres-extent")
