@@ -55,11 +55,16 @@ class HostileFiles(CommandLineTest):
     def writers(self):
         """Every kind of file that is written, by its name's ending, and the words that write it."""
         fabric = self.fabric("ok.json")
-        for kind in ("json", "png", "wif", "pdf"):
+        self.run_program("render", fabric, "-o", "part.exr", "--spp", "1", "--keep-sums")
+        for kind in ("json", "loomlight", "png", "wif", "pdf", "tif", "bmp"):
             yield "." + kind, lambda name: ("convert", fabric, name)
         yield ".png", lambda name: ("convert", "--draft", fabric, name)
         for kind in ("png", "exr"):
             yield "." + kind, lambda name: ("render", fabric, "-o", name, "--size", "32x24", "--spp", "1")
+            yield "." + kind, lambda name: ("merge", "part.exr", "-o", name)
+        yield ".pdf", lambda name: ("sheet", fabric, "-o", name, "--spp", "1")
+        yield ".png", lambda name: ("thumbnail", fabric, "-o", name)
+        yield ".png", lambda name: ("compare", "part.exr", "part.exr", "-o", name)
 
     def sound(self, kind):
         """The bytes of a file of that kind as it should be."""
@@ -158,6 +163,17 @@ class HostileFiles(CommandLineTest):
                 self.assertIn("File too large", message)
                 self.assertEqual(self.bytes_of(name), b"what was there")
                 self.assertEqual([f.name for f in self.folder.glob(name + ".*")], [], "something was left beside it")
+
+    def test_a_disk_that_is_full_after_the_picture_takes_no_counts(self):
+        words = ("render", self.fabric(name=""), "-o", "a.png", "--size", "1x1", "--spp", "1", "--stats")
+        self.run_program(*words, "stats.json")
+        picture, stats = self.bytes_of("a.png"), self.bytes_of("stats.json")
+        self.assertLess(len(picture), len(stats))
+        message = self.refused(*words, "stats.json", preexec_fn=lambda: fill_the_disk(len(picture)))
+        self.assertIn("stats.json", message)
+        self.assertIn("File too large", message)
+        self.assertEqual(self.bytes_of("stats.json"), stats)
+        self.assertEqual(self.bytes_of("a.png"), picture)
 
     def test_a_full_disk_leaves_the_old_set(self):
         """A tile and a hand-over are of several files: none of them changes."""
