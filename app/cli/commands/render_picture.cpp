@@ -109,7 +109,8 @@ bool trace(const ReusableCloth& built, Begun& picture, Task task, ProgressStyle 
     const PassResult pass = renderUpTo(done + batch, *built.scene, *built.medium, camera, picture.film,
                                        picture.box.window(), task, firstSample);
     counts += pass.counts;
-    if (!pass.complete) return false;
+    // A stop that comes with the last path leaves nothing to go on with.
+    if (!pass.complete) return fewestSamples(picture.film, picture.box.window()) >= samples;
     done += batch;
     progress.update(static_cast<double>(done - first) / (samples - first));
     const double seconds = watch.lap();
