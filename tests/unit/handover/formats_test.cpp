@@ -120,6 +120,8 @@ TEST_F(HandedOver, TheU3mHasEveryKeyOfItsVersionAndSizesThatAgree) {
   }
   const Json& physics = material["physics"];
   EXPECT_NEAR(physics["thickness"], cloth->measures.thickness_mm, 1e-9);
+  EXPECT_NEAR(physics["weight"], cloth->measures.arealMass_g_m2, 1e-9);
+  EXPECT_EQ(physics["construction"]["type"], constructionOf(cloth->fabric.weave).type);
   double sum = 0;
   for (const Json& part : physics["composition"]["parts"]) {
     sum += part["ratio"].get<double>();
@@ -189,6 +191,46 @@ TEST_F(HandedOver, TheGlbIsWholeAndAtTrueSize) {
     EXPECT_NEAR(json["accessors"][0]["max"][0].get<double>(), 0.1, 0.5e-3 * cloth->width_mm());
     for (const Json& extension : json["extensionsUsed"])
       EXPECT_TRUE(json["materials"][0]["extensions"].contains(extension.get<std::string>()));
+  }
+}
+
+TEST_F(HandedOver, TheGlbHasTheSurfaceThatWasFitted) {
+  for (const ClothSide which : {ClothSide::front, ClothSide::back}) {
+    const std::string glb = read(which == ClothSide::front ? "two_sides.glb" : "two_sides_back.glb");
+    const uint32_t length = number(glb, 12, 4);
+    const Json json = Json::parse(glb.substr(20, length));
+    const auto picture = [&](const Json& texture) {
+      const Json& image = json["images"][json["textures"][texture["index"].get<size_t>()]["source"].get<size_t>()];
+      const Json& view = json["bufferViews"][image["bufferView"].get<size_t>()];
+      const std::string file = (folder->path() / "taken_out.png").string();
+      writeFileAtomically(file, std::string_view(glb).substr(28 + length + view["byteOffset"].get<size_t>(),
+                                                             view["byteLength"].get<size_t>()));
+      Pixels8 pixels = readPng(file);
+      std::filesystem::remove(file);
+      return pixels;
+    };
+    const DigitalSide& side = cloth->of(which);
+    const Principled& surface = side.fit.surface;
+    const Json& extensions = json["materials"][0]["extensions"];
+    EXPECT_EQ(extensions["KHR_materials_specular"]["specularFactor"], surface.specular);
+    const Json& sheen = extensions["KHR_materials_sheen"];
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(sheen["sheenColorFactor"][static_cast<size_t>(c)], surface.sheenColour[c]);
+    EXPECT_EQ(sheen["sheenRoughnessFactor"], surface.sheenRoughness);
+    // What differs from pixel to pixel is in pictures alone: the factor of each is 1.
+    const Json& anisotropy = extensions["KHR_materials_anisotropy"];
+    const Json& through = extensions["KHR_materials_diffuse_transmission"];
+    EXPECT_EQ(anisotropy["anisotropyStrength"], 1);
+    EXPECT_EQ(through["diffuseTransmissionFactor"], 1);
+    const Pixels8 strengths = picture(anisotropy["anisotropyTexture"]);
+    const Pixels8 shares = picture(through["diffuseTransmissionTexture"]);
+    ASSERT_EQ(strengths.channels, 3);
+    ASSERT_EQ(shares.channels, 4);
+    for (size_t i = 0; i < side.maps.tile.opacity.size(); ++i) {
+      const SidePixel pixel = sidePixel(side, i);
+      ASSERT_NEAR(strengths.bytes[3 * i + 2] / 255.0, pixel.anisotropy, 0.51 / 255) << i;
+      ASSERT_NEAR(shares.bytes[4 * i + 3] / 255.0, splitColour(pixel.reflected, pixel.transmitted).share, 0.51 / 255)
+          << i;
+    }
   }
 }
 
