@@ -24,7 +24,7 @@
 namespace loomlight {
 namespace {
 
-/// What volumes that are out of date may take: a sixteenth of the memory, a gigabyte at most.
+/// What cloths that are out of date may take: a sixteenth of the memory, a gigabyte at most.
 size_t recentBytes() {
   return static_cast<size_t>(std::min<uint64_t>(uint64_t{1} << 30, physicalMemory_bytes() / 16));
 }
@@ -94,6 +94,9 @@ struct LiveRenderer::Workers {
   std::function<void()> wake;
   int threads;
 
+  /// The window and the builder both have fibres laid: what was decided last is asked for last. Locked before `mutex`,
+  /// and for longer, as a scene may die meanwhile.
+  std::mutex laying;
   mutable std::mutex mutex;
   LiveStatus status;  ///< the builder's part of it
   bool building = false;
@@ -214,9 +217,18 @@ void LiveRenderer::Workers::count() {
 
 /// Has fibres laid for the newest scene if the inset is open and has a use for them.
 void LiveRenderer::Workers::layFibres() {
-  std::lock_guard lock(mutex);  // until it is asked for: the window and the builder both come here
-  if (inset && scene && scene->fabric->render.method == Method::volume) {
-    layer.lay(scene, inset->memoryLimit_bytes);
+  std::lock_guard order(laying);
+  std::shared_ptr<const Scene> newest;
+  double limit_bytes = 0;
+  {
+    std::lock_guard lock(mutex);
+    if (inset && scene && scene->fabric->render.method == Method::volume) {
+      newest = scene;
+      limit_bytes = inset->memoryLimit_bytes;
+    }
+  }
+  if (newest) {
+    layer.lay(std::move(newest), limit_bytes);
   } else {
     layer.clear();
   }

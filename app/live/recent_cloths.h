@@ -19,7 +19,8 @@ struct BuiltCloth {
 class RecentCloths {
  public:
   /// `budget_bytes`: what cloths may take that are not the newest: volumes, bricks of fibres that close-ups have made,
-  /// and drapes, as far as they are not shared. Explicit fibres in one tree are kept of the newest alone.
+  /// and drapes (without their trees for rays, a third as large), as far as they are not shared. Explicit fibres in one
+  /// tree are kept of the newest alone.
   explicit RecentCloths(size_t budget_bytes) : budget_bytes_(budget_bytes) {}
 
   /// A cloth that another is made from, and what the edit between them has put out of date.

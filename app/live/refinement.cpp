@@ -125,7 +125,7 @@ Refinement::Pass Refinement::beginPass() const {
   if (fading())
     plan.samples = std::min(plan.samples, history_.samples + std::max(1u, standIn_->samples() / kFadeSteps));
   const PixelRect all = covering(window_, plan.divider);
-  if (shared_ && plan.divider == 1)
+  if (shared_ && plan.divider == 1 && history_.samples < SharedLight::kEnough)
     plan.samples = std::min(plan.samples, history_.samples + SharedLight::samplesAtOnce(all.width, all.height));
   const uint32_t more = plan.divider == 1 ? plan.samples - history_.samples : 1;
   const double secondsPerPixel = more * history_.secondsPerPath, budget_s = passBudget_s(history_);
@@ -317,7 +317,7 @@ void Refinement::takeNoise(Frame& frame) const {
 
 /// Of the luminance of a fine picture; empty where nothing is known of it.
 std::vector<float> Refinement::variances(const Frame& frame) const {
-  const bool mixed = standIn_ && standIn_->knowsVariance();
+  const bool mixed = standIn_ && standIn_->knowsVariance() && !known_;
   std::vector<float> variances;
   if (frame.divider > 1 || (!mixed && history_.samples < 2)) return variances;
   variances.reserve(frame.rgba.size());

@@ -26,9 +26,9 @@ class FirstHits {
   int width() const { return width_; }
   int height() const { return height_; }
   uint32_t perPixel() const { return have_; }  ///< that have been traced for every pixel
-  /// Traces so many for every pixel in all, and makes their cells; a pixel keeps most() of them. Where that takes
-  /// longer than `budget_s`, some bands of rows, and the next call goes on. False when stopped: then it has those that
-  /// it had.
+  /// Traces so many for every pixel in all, and makes their cells; a pixel keeps kMost of them at most. Where that
+  /// takes longer than `budget_s`, some bands of rows, and the next call goes on. False when stopped: then it has those
+  /// that it had.
   bool trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task,
              double budget_s = std::numeric_limits<double>::infinity());
   /// Another one, of a path that has been traced for its light; forgotten where the pixel has enough.

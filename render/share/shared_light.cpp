@@ -95,12 +95,12 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
 }
 
 uint32_t SharedLight::samplesAtOnce(int width, int height) {
-  constexpr double kPaths = 4e6;  // of 24 bytes each, and the keys of new cells
+  constexpr double kPaths =
+      4e6;  // each takes 20 bytes in a list that doubles as it grows, and 40 where its cell is new
   return static_cast<uint32_t>(std::max(1.0, kPaths / std::max(1.0, static_cast<double>(width) * height)));
 }
 
 FirstFibreSink* SharedLight::listener(uint32_t samples, int divider) {
-  constexpr uint32_t kEnough = 32;  // by then cells are as good as they get
   deposits_->ofPixels(divider == 1);
   return samples < kEnough ? deposits_.get() : nullptr;
 }

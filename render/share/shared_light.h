@@ -44,7 +44,10 @@ class SharedLight {
   void moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height,
               const Changes& edit);
 
-  /// Samples of so many pixels that it can hear in one pass: what they bring is kept until settle(), in some 100 MB.
+  /// Samples of a pixel from which on cells are as good as they get.
+  static constexpr uint32_t kEnough = 32;
+  /// Samples of so many pixels that it can hear in one pass: what they bring is kept until settle(), in 200 MB, or else
+  /// one sample of each.
   static uint32_t samplesAtOnce(int width, int height);
   /// Hears the paths of the next pass, whose pixels are 1/divider of the resolution and have so many samples; null
   /// where cells need no more of them.

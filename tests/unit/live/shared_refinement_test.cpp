@@ -129,6 +129,27 @@ TEST_F(SharedRefinement, OfASketchThereAreCoarsePassesAlone) {
   }
 }
 
+// A patched picture comes to stand in when known light is seen already: the noise of its pixels is not that of these.
+TEST_F(SharedRefinement, KnownLightHasNotTheNoiseOfWhatStandsIn) {
+  Fabric turned = *cloth.scene->fabric;
+  turned.weave = turned.weave.with(0, 0, !turned.weave.at(0, 0));
+  Refinement before = sharing();
+  refine(before, 1);
+  constexpr double kBeginsAtAThird_s = 0.16 / (kWidth * kHeight);
+  Refinement sketch({test::sceneOf(turned), cloth.medium}, kWidth, kHeight, kBeginsAtAThird_s);
+  sketch.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, turned));
+  sketch.asSketch();
+  sketch.beginWith({8, 0.3, 3});
+  while (!sketch.converged()) ASSERT_TRUE(sketch.advance(Task{{}, {}, 1}));
+  ASSERT_TRUE(sketch.showsKnownLight());
+  ASSERT_EQ(sketch.frame().divider, 1);
+  auto patched = std::make_shared<Frame>(before.frame());
+  patched->variances.assign(patched->rgba.size(), 1.0f);
+  sketch.standIn(patched);
+  sketch.denoise(true);
+  EXPECT_TRUE(sketch.frame().variances.empty());
+}
+
 TEST_F(SharedRefinement, TheFirstPictureOfAMovedViewHasTheDetailOfTheOneBefore) {
   constexpr FirstPass kMoving{12, 0.1, 3};
   Refinement before = sharing();
