@@ -31,6 +31,11 @@ struct Begun {
   SampleOrigin origin = {};  ///< of what there is
 };
 
+/// The file that the fabric is from.
+const std::string& inputOf(const RenderCommand& command, const RenderOrder& job) {
+  return job.input.empty() ? command.resume : job.input;
+}
+
 SampleBox boxOf(const PartChoice& choice, const RenderSettings& settings, const SampleBox& fallback) {
   const PixelRect window = choice.crop.value_or(fallback.window());
   expectWindowIn(settings.width, settings.height, window);
@@ -40,19 +45,10 @@ SampleBox boxOf(const PartChoice& choice, const RenderSettings& settings, const 
   return SampleBox::of(window, first, samples);
 }
 
-/// Throws unless the samples that there are, whoever traced them, are of these files and fibres. A picture by a program
-/// that did not say is taken at its word.
-void expectGoesOn(const SampleOrigin& has, const std::string& resumed, const Fabric& fabric, const std::string& fibres,
-                  const std::string& file) {
-  if (!has.program.empty()) expectSameOrigin(originOf(fabric, has.program, fibres), file, has, resumed);
-}
-
 Begun goOn(const RenderCommand& command, PicturePart part, const std::shared_ptr<const Fabric>& fabric,
            const std::string& input) {
   const RenderSettings& settings = fabric->render;
-  const SampleOrigin& origin = part.info.origin;
   expectSameFabric(*fabric, input, part.info.fabric, command.resume);
-  expectGoesOn(origin, command.resume, *fabric, origin.fibres, input);  // which are laid is known when there is a cloth
   if (part.info.boxes.size() > 1)
     throw InputError(fmt::format(
         "{}: merged of parts that leave gaps; expected a picture or one part of it to go on with", command.resume));
@@ -70,7 +66,7 @@ Begun goOn(const RenderCommand& command, PicturePart part, const std::shared_ptr
                                  command.resume, settings.samplesPerPixel));
   Film film(settings.width, settings.height);
   film.merge(part.film, part.window.x, part.window.y);
-  return {fabric, std::move(film), wanted, samples, origin};
+  return {fabric, std::move(film), wanted, samples, part.info.origin};
 }
 
 Begun begin(const RenderCommand& command, const RenderOrder& job) {
@@ -79,7 +75,7 @@ Begun begin(const RenderCommand& command, const RenderOrder& job) {
   Fabric fabric =
       withOptions(job.input.empty() ? part->info.fabric : fabricFrom({job.input, command.wif}), command.options);
   if (job.frame) fabric = inFrame(std::move(fabric), command.turn.value_or(Turntable{}), *job.frame);
-  const std::string& input = job.input.empty() ? command.resume : job.input;
+  const std::string& input = inputOf(command, job);
   validate(fabric, input);
   const RenderSettings settings = fabric.render;
   auto shared = std::make_shared<const Fabric>(std::move(fabric));
@@ -172,17 +168,26 @@ bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& opti
   return true;
 }
 
-std::string bothPrograms(const std::string& before, const std::string& now) {
-  return before.empty() || before == now ? now : before + ", then " + now;
+/// Of what there is and of what is added. Throws unless these are of the same files and fibres, whoever traced them; a
+/// picture by a program that did not say is taken at its word.
+SampleOrigin originWith(const SampleOrigin& before, const std::string& resumed, const Fabric& fabric,
+                        const std::string& fibres, const std::string& file) {
+  SampleOrigin origin = originOf(fabric, before.program, fibres);
+  if (!before.program.empty()) expectSameOrigin(origin, file, before, resumed);
+  if (origin.program.empty()) {
+    origin.program = buildName();
+  } else if (origin.program != buildName()) {
+    origin.program += ", then " + buildName();
+  }
+  return origin;
 }
 
 void write(const std::string& output, const Begun& picture, const Tone& tone, bool keepSums,
-           const std::string& fibres) {
+           const SampleOrigin& origin) {
   const RenderSettings& settings = picture.fabric->render;
   const bool cropped = picture.box.window() != PixelRect{0, 0, settings.width, settings.height};
   if (lowerExtension(output) == ".exr" && keepSums) {
-    const std::string program = bothPrograms(picture.origin.program, buildName());
-    writePart(output, picture.film, {*picture.fabric, originOf(*picture.fabric, program, fibres), {picture.box}});
+    writePart(output, picture.film, {*picture.fabric, origin, {picture.box}});
   } else {
     writePicture(output, cropped ? picture.film.cropped(picture.box.window()) : picture.film, *picture.fabric, tone);
   }
@@ -229,8 +234,8 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
     fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
     return Interrupt::kExitStatus;
   }
-  const std::string laid = fibresLaid(*built.scene, fibres);
-  expectGoesOn(picture.origin, command.resume, *picture.fabric, laid, job.input.empty() ? command.resume : job.input);
+  const SampleOrigin origin = originWith(picture.origin, command.resume, *picture.fabric,
+                                         fibresLaid(*built.scene, fibres), inputOf(command, job));
   const PixelRect window = picture.box.window();
   const int wanted = picture.box.high.z - picture.box.low.z;
   fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", window.width, window.height,
@@ -241,7 +246,7 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
   const double render_s = watch.lap();
 
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
-  write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(), laid);
+  write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(), origin);
   const double total_s = whole.lap();
   const uint32_t samples = fewestSamples(picture.film, window);
   if (!job.stats.empty()) {
