@@ -8,22 +8,24 @@
 
 #include "render/scene/embree.h"
 
-// How it works. Embree holds the triangles of the shell's boundary. The first of them that a ray enters through, and
-// behind which the walk of tetrahedra agrees that there is cloth, is where it comes in; a filter refuses the others.
-// Embree and the walk compute with different roundings, so a ray begins a little behind its origin, and one that
-// leaves cloth that it never entered, having slipped between two triangles, is tried again a little aside.
+// How it works. Embree finds the triangles of the shell's boundary whose boxes a ray comes through, and asks us where
+// it meets them. Its own triangle test starts from the processor's estimate of 1 / x, so that a picture would have last
+// bits of its own on a processor of another maker. The first triangle that a ray enters through, and behind which the
+// walk of tetrahedra agrees that there is cloth, is where it comes in. The test and the walk compute with different
+// roundings, so a ray begins a little behind its origin, and one that leaves cloth that it never entered, having
+// slipped between two triangles, is tried again a little aside.
 
 namespace loomlight {
 namespace {
 
-/// How far the parameters of Embree, of a shell's planes, and of rays moved along their direction may disagree,
+/// How far the parameters of triangles, of a shell's planes, and of rays moved along their direction may disagree,
 /// relative to the coordinates involved: faces this far behind are looked at again.
 constexpr float kSlack = 1e-5f;
 /// What the ray must have before it, relative likewise, to have entered at all: more than rounding, so that walking
 /// makes progress, and far less than a voxel.
 constexpr float kProgress = 1e-6f;
-/// Rays through a vertex to the last bit slip between its triangles: Embree's edge tests agree pairwise, but not around
-/// a fan; likewise a walk may leave at a vertex where the ray just stays inside. Such rays show by leaving what they
+/// Rays through a vertex to the last bit slip between its triangles: the edge tests agree pairwise, but not around a
+/// fan; likewise a walk may leave at a vertex where the ray just stays inside. Such rays show by leaving what they
 /// never entered, and are tried again, moved aside by the progress to the four sides.
 constexpr int kAttempts = 5;
 /// A corner of the cloth within the slack has only few tetrahedra; no shell makes a search longer than this.
@@ -39,33 +41,83 @@ int tetAfter(const Shell& shell, int tet, glm::vec3 origin, glm::vec3 direction,
   return -1;
 }
 
+/// A ray as Embree carries it to the triangle test.
 struct EntryContext {
   embree::QueryContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
-  const Shell* shell;
   glm::vec3 origin, direction;
   float tMin;
   float shift;  ///< Embree's ray starts this far behind the origin
   float progress;
-  float leaves = std::numeric_limits<float>::infinity();  ///< least parameter of Embree at which the ray goes out
+  float leaves = std::numeric_limits<float>::infinity();  ///< least parameter of Embree's ray at which it goes out
 };
 
-/// Where the ray enters through a boundary face that Embree met at its parameter `tEmbree`.
-ShellEntry::Hit behind(const EntryContext& context, unsigned int primitive, float tEmbree) {
+/// Where the ray enters through a boundary face that Embree's ray meets at its parameter `tEmbree`.
+ShellEntry::Hit behind(const Shell& shell, const EntryContext& context, unsigned int primitive, float tEmbree) {
   const float t = std::max(tEmbree - context.shift, context.tMin);
-  const int tet = static_cast<int>(context.shell->boundary()[primitive].tet);
-  return {t, tetAfter(*context.shell, tet, context.origin, context.direction, t + context.progress)};
+  const int tet = static_cast<int>(shell.boundary()[primitive].tet);
+  return {t, tetAfter(shell, tet, context.origin, context.direction, t + context.progress)};
 }
 
-/// Refuses faces that are left, not entered, and those behind which the ray has no cloth left at its parameter.
-void filter(const RTCFilterFunctionNArguments* arguments) {
-  const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
-  const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+struct Crossing {
+  float t;
+  bool entering;  ///< against the face's normal, which points out of the cloth
+};
+
+/// Where a ray crosses a boundary face. Two faces with an edge in common compute the same volume for it but for the
+/// sign, so that no ray slips between them.
+std::optional<Crossing> cross(const Shell& shell, const Shell::BoundaryFace& face, glm::dvec3 origin,
+                              glm::dvec3 direction) {
+  glm::dvec3 corner[3];
+  for (int i = 0; i < 3; ++i) corner[i] = glm::dvec3(shell.vertices()[face.vertex[i]]) - origin;
+  double least = 0, most = 0;  // of the volumes that the direction spans with the edges
+  for (int i = 0; i < 3; ++i) {
+    const double volume = glm::dot(direction, glm::cross(corner[i], corner[(i + 1) % 3]));
+    least = std::min(least, volume);
+    most = std::max(most, volume);
+  }
+  const glm::dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  const double along = glm::dot(direction, normal);
+  if ((least < 0 && most > 0) || along == 0) return std::nullopt;
+  return Crossing{static_cast<float>(glm::dot(corner[0], normal) / along), along < 0};
+}
+
+/// Embree's question about a face: takes it as the nearest entry so far, unless the ray leaves through it or has no
+/// cloth left behind it. Of faces at one parameter the first in order is taken, whatever order Embree asks in.
+void meetFace(const RTCIntersectFunctionNArguments* arguments) {
+  const auto& shell = *static_cast<const Shell*>(arguments->geometryUserPtr);
+  auto& query = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
   auto& context = *reinterpret_cast<EntryContext*>(arguments->context);
-  const bool entering = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z < 0;
-  if (entering && behind(context, hit->primID, ray->tfar).tet >= 0) return;
-  arguments->valid[0] = 0;
-  const bool within = ray->tfar > context.tMin + 2 * context.shift;  // not merely what it has just left
-  if (!entering && within) context.leaves = std::min(context.leaves, ray->tfar);
+  RTCRay& ray = query.ray;
+  const std::optional<Crossing> crossing =
+      cross(shell, shell.boundary()[arguments->primID], glm::dvec3(ray.org_x, ray.org_y, ray.org_z),
+            glm::dvec3(ray.dir_x, ray.dir_y, ray.dir_z));
+  if (!crossing || crossing->t < ray.tnear || crossing->t > ray.tfar) return;
+  if (!crossing->entering) {
+    const bool within = crossing->t > context.tMin + 2 * context.shift;  // not merely what it has just left
+    if (within) context.leaves = std::min(context.leaves, crossing->t);
+    return;
+  }
+  const bool another = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+  if (another && crossing->t == ray.tfar && arguments->primID > query.hit.primID) return;
+  if (behind(shell, context, arguments->primID, crossing->t).tet < 0) return;
+  ray.tfar = crossing->t;
+  query.hit.geomID = arguments->geomID;
+  query.hit.primID = arguments->primID;
+}
+
+/// The box of a face, with the slack about it in which its parameter may be off.
+void boundFace(const RTCBoundsFunctionArguments* arguments) {
+  const auto& shell = *static_cast<const Shell*>(arguments->geometryUserPtr);
+  glm::vec3 lower(std::numeric_limits<float>::infinity()), upper(-lower);
+  for (const uint32_t vertex : shell.boundary()[arguments->primID].vertex) {
+    lower = glm::min(lower, shell.vertices()[vertex]);
+    upper = glm::max(upper, shell.vertices()[vertex]);
+  }
+  const glm::vec3 far = glm::max(glm::abs(lower), glm::abs(upper));
+  const float slack = kSlack * std::max({far.x, far.y, far.z});
+  lower -= slack;
+  upper += slack;
+  *arguments->bounds_o = {lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z, 0};
 }
 
 /// Unit vectors to the four sides of a direction, by attempt 1..4; attempt 0 stays.
@@ -97,19 +149,11 @@ ShellEntry::ShellEntry(std::shared_ptr<const Shell> shell) : shell_(std::move(sh
   if (!device_) throw std::bad_alloc();
   scene_.reset(rtcNewScene(device_.get()));
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               sizeof(glm::vec3), shell_->vertices().size()));
-  auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                 3 * sizeof(uint32_t), shell_->boundary().size()));
-  if (!vertices || !indices) {
-    rtcReleaseGeometry(geometry);
-    throw std::bad_alloc();
-  }
-  for (const glm::vec3& vertex : shell_->vertices())
-    for (int axis = 0; axis < 3; ++axis) *vertices++ = vertex[axis];
-  for (const Shell::BoundaryFace& face : shell_->boundary()) indices = std::copy_n(face.vertex, 3, indices);
-  rtcSetGeometryIntersectFilterFunction(geometry, filter);
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned int>(shell_->boundary().size()));
+  rtcSetGeometryUserData(geometry, const_cast<Shell*>(shell_.get()));
+  rtcSetGeometryBoundsFunction(geometry, boundFace, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, meetFace);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene_.get(), geometry);
   rtcReleaseGeometry(geometry);
@@ -122,7 +166,7 @@ std::optional<ShellEntry::Hit> ShellEntry::enter(glm::vec3 origin, glm::vec3 dir
   const float far = std::max({reach_, std::abs(origin.x), std::abs(origin.y), std::abs(origin.z), tMin});
   const float shift = kSlack * far;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    EntryContext context{{}, shell_.get(), origin, direction, tMin, shift, kProgress * far};
+    EntryContext context{{}, origin, direction, tMin, shift, kProgress * far};
     embree::initialise(context.embree);
     const glm::vec3 start = origin - shift * direction + context.progress * aside(direction, attempt);
     RTCRayHit query{};
@@ -139,7 +183,8 @@ std::optional<ShellEntry::Hit> ShellEntry::enter(glm::vec3 origin, glm::vec3 dir
     embree::intersect(scene_.get(), context.embree, query);
     const bool entered = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     const bool slipped = context.leaves < (entered ? query.ray.tfar : std::numeric_limits<float>::infinity());
-    if (entered && (!slipped || attempt + 1 == kAttempts)) return behind(context, query.hit.primID, query.ray.tfar);
+    if (entered && (!slipped || attempt + 1 == kAttempts))
+      return behind(*shell_, context, query.hit.primID, query.ray.tfar);
     if (!slipped) break;
   }
   return std::nullopt;

@@ -2,16 +2,18 @@
 
 The dynamic loader and the program ask glibc what the processor has, and glibc can be told to deny a part of it
 (GLIBC_TUNABLES), so that this shows on every machine. What only looks the same, an illegal instruction on the way to that
-line, shows on an emulated processor, where there is one (package qemu-user-static). That packages, which have libraries for
-both kinds, render the same bytes by each is for tests/package_room."""
+line, shows on an emulated processor, where there is one (package qemu-user-static). So does that pictures are the same
+bytes on processors of all makers, whose estimates of 1 / x differ, and the emulator's is exact. That packages, which have
+libraries for both kinds, render the same bytes by each is for tests/package_room."""
 
 import os
 import platform
 import re
 import shutil
+import subprocess
 import unittest
 
-from harness import CommandLineTest, main
+from harness import LOOMLIGHT, CommandLineTest, main
 
 WITHOUT_AVX2 = {**os.environ, "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2"}
 EMULATOR = shutil.which("qemu-x86_64-static") or shutil.which("qemu-x86_64")
@@ -41,6 +43,19 @@ class Processor(CommandLineTest):
     @unittest.skipIf(SANITIZED, "sanitizers ask for more memory than the emulator gives")
     def test_on_a_processor_of_2008(self):
         self.expect_line(before=(EMULATOR, "-cpu", "Nehalem"))
+
+    @unittest.skipUnless(EMULATOR, "no emulator of processors is installed (package qemu-user-static)")
+    @unittest.skipIf(SANITIZED, "sanitizers ask for more memory than the emulator gives")
+    def test_another_maker_s_processor_renders_the_same_bytes(self):
+        another = (EMULATOR, "-cpu", "Nehalem" if self.level() == "x86-64" else "Haswell")
+        if subprocess.run([*another, LOOMLIGHT, "--version"], capture_output=True).returncode != 0:
+            self.skipTest("the emulator has no AVX2")
+        fabric = self.fabric()
+        for words in ("--drape flat", "--drape cylinder --size 96x64", "--drape folds --size 96x64"):
+            with self.subTest(words):
+                self.run_program("render", fabric, *words.split(), "-o", "here.exr")
+                self.run_program("render", fabric, *words.split(), "-o", "another.exr", before=another)
+                self.assertEqual(self.bytes_of("another.exr"), self.bytes_of("here.exr"))
 
     def test_with_avx2_nothing_is_said(self):
         if self.level() == "x86-64-v3":
