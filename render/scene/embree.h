@@ -10,8 +10,7 @@
 namespace loomlight::embree {
 
 #if LOOMLIGHT_EMBREE_MAJOR >= 4
-/// What Embree carries from a query to the filter functions of the geometry; what a filter of ours needs stands behind
-/// it.
+/// What Embree carries from a query to the functions of the geometry; what a function of ours needs stands behind it.
 using QueryContext = RTCRayQueryContext;
 
 inline void initialise(QueryContext& context) {

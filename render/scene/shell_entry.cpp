@@ -9,11 +9,11 @@
 #include "render/scene/embree.h"
 
 // How it works. Embree finds the triangles of the shell's boundary whose boxes a ray comes through, and asks us where
-// it meets them. Its own triangle test starts from the processor's estimate of 1 / x, so that a picture would have last
-// bits of its own on a processor of another maker. The first triangle that a ray enters through, and behind which the
-// walk of tetrahedra agrees that there is cloth, is where it comes in. The test and the walk compute with different
-// roundings, so a ray begins a little behind its origin, and one that leaves cloth that it never entered, having
-// slipped between two triangles, is tried again a little aside.
+// it meets them: its own triangle test rounds otherwise on another processor (likely as it starts from the processor's
+// estimate of 1 / x), so that a picture would have last bits of its own there. The first triangle that a ray enters
+// through, and behind which the walk of tetrahedra agrees that there is cloth, is where it comes in. The test and the
+// walk compute with different roundings, so a ray begins a little behind its origin, and one that leaves cloth that it
+// never entered, having slipped between two triangles, is tried again a little aside.
 
 namespace loomlight {
 namespace {

@@ -3,7 +3,7 @@
 The dynamic loader and the program ask glibc what the processor has, and glibc can be told to deny a part of it
 (GLIBC_TUNABLES), so that this shows on every machine. What only looks the same, an illegal instruction on the way to that
 line, shows on an emulated processor, where there is one (package qemu-user-static). So does that pictures are the same
-bytes on processors of all makers, whose estimates of 1 / x differ, and the emulator's is exact. That packages, which have
+bytes on processors that round otherwise where they may, as in their estimates of 1 / x. That packages, which have
 libraries for both kinds, render the same bytes by each is for tests/package_room."""
 
 import os
