@@ -53,7 +53,7 @@ void LeafFiller::fill(const CellStrands& strands, System system, const VoxelGrid
   for (const CellStrands::Strand& strand : strands.strands) {
     for (const float side : {-1.0f, 1.0f}) {
       measure(strands, strand, side, system, frame);
-      for (int axis = 0; axis < 3; ++axis) findCrossings(axis);
+      for (int axis = 0; axis < 3; ++axis) findCrossings(axis, leaves.offsets(axis).data());
       follow(strand, leaves);
     }
   }
@@ -72,10 +72,6 @@ void LeafFiller::reset(const CellStrands& strands, System system, const VoxelFra
   const Int32x4 a = VoxelFrame::voxelOf(frame(low)), b = VoxelFrame::voxelOf(frame(high));
   leaves.reset(grid, frame.first() + glm::ivec3(a[0], a[1], a[2]), frame.first() + glm::ivec3(b[0], b[1], b[2]),
                frame.first(), strands.fibreRadius_mm);
-  for (int axis = 0; axis < 3; ++axis) {
-    offsets_[axis].clear();
-    for (int v = 0; v <= b[axis]; ++v) offsets_[axis].push_back(leaves.offset(axis, frame.first()[axis] + v));
-  }
 }
 
 void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& strand, float side, System system,
@@ -113,11 +109,10 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
 }
 
 /// One more at the end is never reached.
-void LeafFiller::findCrossings(int axis) {
+void LeafFiller::findCrossings(int axis, const int32_t* offsets) {
   const auto total = static_cast<size_t>(crossingCounts_[axis]);
   if (crossings_[axis].size() <= total) crossings_[axis].resize(2 * total + 1);
   Crossing* next = crossings_[axis].data();
-  const int32_t* const offsets = offsets_[axis].data();
   const Point* const points = points_.data();
   for (size_t i = 1; i < points_.size(); ++i) {
     const int from = points[i - 1].voxel[axis], to = points[i].voxel[axis], count = std::abs(to - from);
@@ -140,7 +135,7 @@ void LeafFiller::findCrossings(int axis) {
 void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) const {
   const Crossing *x = crossings_[0].data(), *y = crossings_[1].data(), *z = crossings_[2].data();
   const Int32x4 first = points_[0].voxel;
-  int32_t ox = offsets_[0][first[0]], oy = offsets_[1][first[1]], oz = offsets_[2][first[2]];
+  int32_t ox = leaves.offsets(0)[first[0]], oy = leaves.offsets(1)[first[1]], oz = leaves.offsets(2)[first[2]];
   const FibreMoments* const sums = sums_.data();
   const Point* const points = points_.data();
   Float64x4 squares{}, others{};  // of the strand up to where it came into the voxel

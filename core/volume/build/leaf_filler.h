@@ -27,7 +27,7 @@ class LeafFiller {
   /// A strand comes to another voxel.
   struct Crossing {
     uint64_t when;   ///< number of the next point, and bits of how far to it, 0..1: in order along the strand
-    int32_t offset;  ///< in this axis, of the voxel it comes to: MomentLevel::offset
+    int32_t offset;  ///< in this axis, of the voxel it comes to: MomentLevel::offsets
   };
 
   void reset(const CellStrands& strands, System system, const VoxelFrame& frame, const VoxelGrid& grid,
@@ -35,10 +35,10 @@ class LeafFiller {
   /// One of two lines on opposite sides of a strand, with half its length each.
   void measure(const CellStrands& strands, const CellStrands::Strand& strand, float side, System system,
                VoxelFrame frame);
-  void findCrossings(int axis);
+  /// Offsets are those of MomentLevel.
+  void findCrossings(int axis, const int32_t* offsets);
   void follow(const CellStrands::Strand& strand, MomentLevel& leaves) const;
 
-  std::array<std::vector<int32_t>, 3> offsets_;  ///< MomentLevel::offset by coordinate in the frame
   // Of one strand:
   std::vector<Point> points_;
   std::vector<FibreMoments> sums_;  ///< up to each point

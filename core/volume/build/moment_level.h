@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/volume/build/component_encoder.h"
@@ -38,8 +40,9 @@ class MomentLevel {
   /// The moments of the level below, each summed into the voxel that it lies in.
   void resetToCoarser(const MomentLevel& finer);
 
-  /// What voxels of coordinate v in an axis add to their numbers: a voxel's is the sum over the axes.
-  int32_t offset(int axis, int v) const;
+  /// What leaves from `origin` to `last` along an axis add to their numbers: a voxel's number is the sum over the axes.
+  /// Before `first` it has no meaning.
+  std::span<const int32_t> offsets(int axis) const { return offsets_[axis]; }
 
   /// What is known of the fibres of a ply in a voxel.
   struct Fibres {
@@ -70,18 +73,21 @@ class MomentLevel {
   /// Give the fibres of a voxel to the encoder; return of how many components: none, one or two.
   int encode(const Place& place, ComponentEncoder& encoder) const;
   int encodeMany(const Place& place, ComponentEncoder& encoder) const;
+  int32_t offset(int axis, int v) const;
   /// Of a ply in a voxel, by where its moments and bounds stand.
-  VoxelBox boxOf(size_t fibres, glm::ivec3 voxel) const;
-  /// Of a ply in any voxel.
-  double length_mm(glm::ivec3 voxel, uint8_t ply) const;
+  VoxelBox boxOf(size_t fibres, const Place& place) const;
+  /// Of a ply in the voxel that is `step` from leaf v along an axis, v counted from `origin`.
+  double lengthBeside_mm(const Place& place, int axis, int v, int step, uint8_t ply) const;
 
   VoxelGrid grid_;
   glm::ivec3 perCell_{1};  ///< blocks of a cell
   glm::ivec3 lower_{0}, blocks_{0};
-  glm::ivec3 origin_{0};            ///< voxel whose lower corner bounds are counted from
-  bool hasBoxes_ = false;           ///< its voxels are wide enough
-  std::vector<uint64_t> occupied_;  ///< per block
-  std::vector<int32_t> heads_;      ///< per voxel, into links_, moments_ and bounds_; -1 is none
+  glm::ivec3 origin_{0};                         ///< voxel whose lower corner bounds are counted from
+  glm::ivec3 first_{0};                          ///< of leaves, counted from `origin_`
+  std::array<std::vector<int32_t>, 3> offsets_;  ///< by coordinate, counted from `origin_`; none above the leaves
+  glm::vec3 fibreRadius_{0};                     ///< in widths of a leaf
+  std::vector<uint64_t> occupied_;               ///< per block
+  std::vector<int32_t> heads_;                   ///< per voxel, into links_, moments_ and bounds_; -1 is none
   std::vector<Link> links_;
   std::vector<FibreMoments> moments_;
   std::vector<FibreBounds> bounds_;
