@@ -73,6 +73,7 @@ class MomentLevel {
   /// Give the fibres of a voxel to the encoder; return of how many components: none, one or two.
   int encode(const Place& place, ComponentEncoder& encoder) const;
   int encodeMany(const Place& place, ComponentEncoder& encoder) const;
+  /// What offsets() is made of: of voxel v of the cloth along an axis.
   int32_t offset(int axis, int v) const;
   /// Of a ply in a voxel, by where its moments and bounds stand.
   VoxelBox boxOf(size_t fibres, const Place& place) const;
