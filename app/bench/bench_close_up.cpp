@@ -23,7 +23,7 @@ namespace {
 /// Of two films each; a picture is the mean of both.
 struct CloseUpPlan {
   int width = 96, height = 72;
-  int samples = 256;
+  int samples = 512;
 };
 constexpr CloseUpPlan kFullCloseUp{}, kQuickCloseUp{32, 24, 24};
 

@@ -13,14 +13,18 @@ namespace loomlight {
 float closeUpChance(const TraceData& cloth, float width_mm);
 
 /// The cloth as LoomlightMedium has it from afar, and fibre by fibre for an eye so near that it could tell them apart:
-/// voxels would blur them. The nearer, the more of a pixel's paths go among the fibres, so that zooming in has no seam;
-/// a path keeps to one of both, each of which is true to itself. Far away every picture is the volume's to the bit.
+/// voxels would blur them. The nearer, the more of a pixel's paths go among the fibres, so that zooming in has no seam.
+/// Far away every picture is the volume's to the bit.
 ///
-/// To meet the first fibre itself and then go on in the volume costs less, and is wrong by some 10 %: the surface of a
-/// yarn lies in the middle of the voxels that it is blurred over, where half of them shades what leaves it.
+/// A path that goes among the fibres meets kMeetings of them, and then wanders through the volume: nobody can tell
+/// where light goes that has met so many, and voxels cost less. Of raw denim, gabardine, poplin and taffeta the mean
+/// colour is then within 1 % of that of fibres alone (`loomlight bench closeup`). Handed over at the first fibre denim
+/// would be 7 % too dark: the surface of a yarn lies inside of the voxels that hold it, which shade what leaves it.
 class CloseUpMedium final : public Medium {
  public:
   explicit CloseUpMedium(std::shared_ptr<const TraceData> cloth);
+
+  static constexpr int kMeetings = 6;  ///< among fibres; light goes on from the last of them through the volume
 
   std::unique_ptr<MediumBatch> batch(size_t paths) const override;
   const Medium& fromAfar() const override { return volume_; }

@@ -50,10 +50,36 @@ TEST(CloseUp, FromAfarItIsTheVolumeToTheBit) {
   EXPECT_EQ(scene->cloth->fibres->made(), 0u);
 }
 
-TEST(CloseUp, FromNearItIsTheFibresToTheBit) {
-  const auto scene = test::sceneOf(seenAt(0.15));  // a pixel is 6 um wide, fibres are more
+TEST(CloseUp, FromNearTheFirstMeetingsAreThoseAmongFibresToTheBit) {
+  Fabric fabric = seenAt(0.15);  // a pixel is 6 um wide, fibres are more
+  fabric.render.maxDepth = CloseUpMedium::kMeetings - 1;
+  const auto scene = test::sceneOf(fabric);
   expectSame(traced(*scene, CloseUpMedium(scene->cloth), 2), traced(*scene, FibreMedium(scene->cloth), 2));
   EXPECT_GT(scene->cloth->fibres->made(), 0u);
+}
+
+/// Both draw the same numbers, so that paths differ from where the volume takes them over, and the mean of what they
+/// differ by is known much better than that of either. Dark yarn shows best what shades it that is not there.
+TEST(CloseUp, WhatGoesOnThroughTheVolumeKeepsItsColour) {
+  Fabric fabric = seenAt(0.4);
+  fabric.fibres[0].absorption_per_mm = Rgb(12.0f);
+  fabric.light.kind = LightKind::dome;
+  const auto scene = test::sceneOf(fabric);
+  const auto among = traced(*scene, FibreMedium(scene->cloth), 128);
+  const auto handedOver = traced(*scene, CloseUpMedium(scene->cloth), 128);
+  double light = 0, sum = 0, squares = 0;
+  const auto count = static_cast<double>(among.size());
+  for (size_t i = 0; i < among.size(); ++i) {
+    const double expected = (among[i].direct + among[i].indirect).g;
+    const double difference = (handedOver[i].direct + handedOver[i].indirect).g - expected;
+    light += expected;
+    sum += difference;
+    squares += difference * difference;
+  }
+  const double error = std::sqrt((squares - sum * sum / count) / count / (count - 1)) / (light / count);
+  EXPECT_GT(squares, 0) << "the volume took over nothing";
+  EXPECT_NEAR(sum / light, 0, 0.01 + 4.5 * error);
+  EXPECT_LT(error, 0.007);
 }
 
 // The same numbers are drawn, so a path differs from the first fibre on that was met otherwise: at the seams of cells,
