@@ -9,8 +9,8 @@
 
 // How it works. A strand is a polyline; what a voxel gets is the part of it that lies inside. Sums of the moments are
 // taken along the strand once, so that the part between any two points of it is a difference of two sums, and no
-// segment is cut. measure() makes the sums and notes for each segment where it crosses the first voxel face of each
-// axis; findCrossings() lists the crossings of one axis in order; follow() merges the three lists, and at every
+// segment is cut. sumUp() makes the sums, measure() notes for each segment where it crosses the first voxel face of
+// each axis; findCrossings() lists the crossings of one axis in order; follow() merges the three lists, and at every
 // crossing gives the voxel that is left the moments since the crossing before. A crossing is a 64-bit number, segment
 // above and share of it below, so that comparing two numbers tells which comes first. Nothing branches but for segments
 // that cross several faces of one axis.
@@ -51,6 +51,7 @@ void LeafFiller::fill(const CellStrands& strands, System system, const VoxelGrid
   const VoxelFrame frame(system, grid);
   reset(strands, system, frame, grid, leaves);
   for (const CellStrands::Strand& strand : strands.strands) {
+    sumUp(strands, strand, system);
     for (const float side : {-1.0f, 1.0f}) {
       measure(strands, strand, side, system, frame);
       for (int axis = 0; axis < 3; ++axis) findCrossings(axis, leaves.offsets(axis).data());
@@ -74,35 +75,42 @@ void LeafFiller::reset(const CellStrands& strands, System system, const VoxelFra
                frame.first(), strands.fibreRadius_mm);
 }
 
+void LeafFiller::sumUp(const CellStrands& strands, const CellStrands::Strand& strand, System system) {
+  sums_.resize(strand.count);
+  FibreMoments* const sums = sums_.data();
+  const glm::vec3* const source = strands.points.data() + strand.first;
+  const double share = 0.5 * strands.fibresEach;  // each of its two lines has half
+  Float64x4 end = __builtin_convertvector(toCloth(source[0], system), Float64x4);
+  FibreMoments sum;
+  sums[0] = sum;
+  for (size_t i = 1; i < strand.count; ++i) {
+    const Float64x4 start = std::exchange(end, __builtin_convertvector(toCloth(source[i], system), Float64x4));
+    sum.add(FibreMoments::ofSegment(end - start), share);
+    sums[i] = sum;
+  }
+}
+
 void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& strand, float side, System system,
                          VoxelFrame frame) {
   const size_t count = strand.count;
   points_.resize(count);
-  sums_.resize(count);
   Point* const points = points_.data();
-  FibreMoments* const sums = sums_.data();
   const glm::vec3* const source = strands.points.data() + strand.first;
   // A fibre has a section, and its length is spread over it: by lines that waver across it, at a distance from the axis
   // that gives them the second moment of the section, r^2 / 4 across each way. The points of a line lie on a sphere, so
   // a third of that is along the fibre, and what lies between two points is nearer to the axis by another third.
   static const SectionOffsets offsets;
   const Float32x4 radius = Float32x4{} + std::sqrt(9.0f / 8.0f) * strands.fibreRadius_mm * side;
-  const auto about = [&](Float32x4 axis, size_t i) { return frame(axis + radius * offsets[strand.first + i]); };
-  const double share = 0.5 * strands.fibresEach;  // each of its two lines has half
-  Float32x4 end = toCloth(source[0], system), at = about(end, 0);
+  const auto about = [&](size_t i) { return frame(toCloth(source[i], system) + radius * offsets[strand.first + i]); };
+  Float32x4 at = about(0);
   Int32x4 voxel = VoxelFrame::voxelOf(at), crossings{};
-  FibreMoments sum;
   points[0] = {at, Float32x4{}, voxel};
-  sums[0] = sum;
   for (size_t i = 1; i < count; ++i) {
-    const Float32x4 start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, about(end, i));
-    const Float64x4 along = __builtin_convertvector(end, Float64x4) - __builtin_convertvector(start, Float64x4);
-    sum.add(FibreMoments::ofSegment(along), share);
+    const Float32x4 from = std::exchange(at, about(i));
     const Int32x4 left = std::exchange(voxel, VoxelFrame::voxelOf(at));
     const Int32x4 upwards = voxel > left;  // -1 where it is so
     const Float32x4 face = __builtin_convertvector(left - upwards, Float32x4);
     points[i] = {at, least(most((face - from) / (at - from), Float32x4{}), Float32x4{} + 1), voxel};
-    sums[i] = sum;
     crossings += magnitude(voxel - left);
   }
   crossingCounts_ = crossings;

@@ -32,6 +32,8 @@ class LeafFiller {
 
   void reset(const CellStrands& strands, System system, const VoxelFrame& frame, const VoxelGrid& grid,
              MomentLevel& leaves);
+  /// What both lines of a strand add up to.
+  void sumUp(const CellStrands& strands, const CellStrands::Strand& strand, System system);
   /// One of two lines on opposite sides of a strand, with half its length each.
   void measure(const CellStrands& strands, const CellStrands::Strand& strand, float side, System system,
                VoxelFrame frame);

@@ -67,18 +67,18 @@ class VoxelBox {
 };
 
 inline VoxelBox VoxelBox::nearest(Float32x4 lower, Float32x4 upper) {
-  int code = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float from = kParts * lower[axis], to = kParts * upper[axis];
-    int a = static_cast<int>(std::clamp(from + 0.5f, 0.0f, static_cast<float>(kParts)));
-    int b = static_cast<int>(std::clamp(to + 0.5f, 0.0f, static_cast<float>(kParts)));
-    if (a >= b) {  // thinner than a part: the one that its middle is in
-      a = static_cast<int>(std::clamp(0.5f * (from + to), 0.0f, kParts - 1.0f));
-      b = a + 1;
-    }
-    code |= codeOf({a, b}) << (kAxisBits * axis);
-  }
-  return of(static_cast<uint16_t>(code));
+  const auto part = [](Float32x4 place, float last) {
+    return __builtin_convertvector(least(most(place, Float32x4{}), Float32x4{} + last), Int32x4);
+  };
+  const Float32x4 from = static_cast<float>(kParts) * lower, to = static_cast<float>(kParts) * upper;
+  Int32x4 a = part(from + 0.5f, kParts), b = part(to + 0.5f, kParts);
+  const Int32x4 middle = part(0.5f * (from + to), kParts - 1),
+                thin = a >= b;  // thinner than a part: that of its middle
+  a = thin ? middle : a;
+  b = thin ? middle + 1 : b;
+  const Int32x4 beyond = a > kParts / 2;  // as codeOf()
+  const Int32x4 code = (beyond ? kParts - a : a) << 3 | (beyond ? kParts - b : b);
+  return of(static_cast<uint16_t>(code[0] | code[1] << kAxisBits | code[2] << 2 * kAxisBits));
 }
 
 inline VoxelBox around(VoxelBox a, VoxelBox b) {
