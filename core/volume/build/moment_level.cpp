@@ -174,12 +174,12 @@ void MomentLevel::resetToCoarser(const MomentLevel& finer) {
   }
 }
 
-double MomentLevel::lengthBeside_mm(const Place& place, int axis, int v, int step, uint8_t ply) const {
+inline double MomentLevel::lengthBeside_mm(const Place& place, int axis, int v, int step, uint8_t ply) const {
   const std::span<const int32_t> offsets = offsets_[axis];
   if (v + step < first_[axis] || v + step >= static_cast<int>(offsets.size())) return 0;
-  for (int32_t i = heads_[place.number + offsets[v + step] - offsets[v]]; i >= 0; i = links_[i].next)
-    if (links_[i].ply == ply) return moments_[i].length_mm();
-  return 0;
+  int32_t i = heads_[place.number + offsets[v + step] - offsets[v]];
+  while (i >= 0 && links_[i].ply != ply) i = links_[i].next;
+  return i >= 0 ? moments_[i].length_mm() : 0;
 }
 
 VoxelBox MomentLevel::boxOf(size_t fibres, const Place& place) const {
@@ -190,10 +190,15 @@ VoxelBox MomentLevel::boxOf(size_t fibres, const Place& place) const {
   Float32x4 lower = bounds_[fibres].lower - from, upper = bounds_[fibres].upper - from;
   const uint8_t ply = links_[fibres].ply;
   const double most = kRim * moments_[fibres].length_mm();
+  // Whether it ends short of a face, and whether it goes on beyond; every neighbour is looked at, as what is short is
+  // what a processor cannot predict.
+  Int32x4 before{}, beyond{};
   for (int axis = 0; axis < 3; ++axis) {
-    if (lower[axis] > 0 && lengthBeside_mm(place, axis, voxel[axis], -1, ply) > most) lower[axis] = 0;
-    if (upper[axis] < 1 && lengthBeside_mm(place, axis, voxel[axis], 1, ply) > most) upper[axis] = 1;
+    before[axis] = -static_cast<int>(lengthBeside_mm(place, axis, voxel[axis], -1, ply) > most);
+    beyond[axis] = -static_cast<int>(lengthBeside_mm(place, axis, voxel[axis], 1, ply) > most);
   }
+  lower = (before & (lower > 0)) ? Float32x4{} : lower;
+  upper = (beyond & (upper < 1)) ? Float32x4{} + 1 : upper;
   const Float32x4 radius{fibreRadius_.x, fibreRadius_.y, fibreRadius_.z, 0}, bounds = upper - lower;
   const Float32x4 wider = 0.5f * (squareRoot(bounds * bounds + 3 * radius * radius) - bounds);
   return VoxelBox::nearest(lower - wider, upper + wider);
