@@ -33,7 +33,7 @@ class Interrupt(CommandLineTest):
         self.assertTrue((self.folder / "part.png").exists())
 
     def test_a_part_of_a_farm_that_is_asked_to_end_is_gone_on_with(self):
-        size, samples = "48x32", 400
+        size, samples = "48x32", 1200
         words = [ROOT / "samples/farm/part", 0, 1, 1, self.fabric(), "out.exr", size, samples, "--threads", 1]
         part = subprocess.Popen(list(map(str, words)), cwd=self.folder, stdin=subprocess.DEVNULL,
                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,

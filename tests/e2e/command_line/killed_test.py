@@ -56,13 +56,15 @@ class Killed(CommandLineTest):
                 for i in range(-(-KILLS // len(writers))):
                     (self.folder / file).write_bytes(old)
                     process = self.start(words, file)
-                    if i > 0:  # Most of the time is for what comes before the writing: half of them fall into the end.
+                    # The first as soon as it can be. Most of the time is for what comes before the writing: half of the
+                    # others fall into the end.
+                    if i > 0:
                         least = 0 if chance.random() < 0.5 else 0.7
                         time.sleep(chance.uniform(least, 1.1) * max(longest_s, took_s))
                     process.kill()
                     process.wait()
                     found = without_date(self.bytes_of(file))
-                    self.assertIn(found, (old, new) if i > 0 else (old,), f"torn: {len(found)} bytes")
+                    self.assertIn(found, (old, new), f"torn: {len(found)} bytes")
                 # What the killed ones left beside it does not hold up the next.
                 self.assertEqual(self.whole_files(words, file)[0], new)
 
