@@ -26,18 +26,18 @@ class CloseUpBatch final : public MediumBatch {
  public:
   CloseUpBatch(const LoomlightMedium& volume, const FibreMedium& fibres, size_t paths)
       : cloth_(volume.cloth()), paths_(paths) {
-    groups_[0].batch = volume.batch(paths);
-    groups_[1].batch = fibres.batch(paths);
+    groups_[kInVolume].batch = volume.batch(paths);
+    groups_[kAmongFibres].batch = fibres.batch(paths);
   }
 
   void begin(uint32_t path, const ScenePoint& from, const RayCone& cone) override {
     paths_[path] = {from, cone};
-    groups_[0].batch->begin(path, from, cone);
+    groups_[kInVolume].batch->begin(path, from, cone);
   }
   void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                TraceCounts& counts) override {
     for (const PathRay& pathRay : pathRays) decide(pathRay);
-    if (!anyAmongFibres_) return groups_[0].batch->collide(pathRays, met, counts);
+    if (!anyAmongFibres_) return groups_[kInVolume].batch->collide(pathRays, met, counts);
     divide(pathRays);
     for (Group& group : groups_) {
       group.pathRays.clear();
@@ -46,14 +46,15 @@ class CloseUpBatch final : public MediumBatch {
       group.batch->collide(group.pathRays, group.met, counts);
       for (size_t k = 0; k < group.members.size(); ++k) met[group.members[k]] = group.met[k];
     }
-    for (size_t k = 0; k < groups_[1].met.size(); ++k)
-      if (const auto& fibre = groups_[1].met[k]) count(groups_[1].pathRays[k].path, *fibre);
+    const Group& amongFibres = groups_[kAmongFibres];
+    for (size_t k = 0; k < amongFibres.met.size(); ++k)
+      if (const auto& fibre = amongFibres.met[k]) meets(amongFibres.pathRays[k].path, *fibre);
   }
   void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
     batchOf(path).leave(path, met, wi, inside);
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
-    if (!anyAmongFibres_) return groups_[0].batch->transmit(rays, counts);
+    if (!anyAmongFibres_) return groups_[kInVolume].batch->transmit(rays, counts);
     divide(std::span<const ShadowRay>(rays));
     for (Group& group : groups_) {
       group.shadows.clear();
@@ -87,7 +88,8 @@ class CloseUpBatch final : public MediumBatch {
     std::vector<ShadowRay> shadows;
   };
 
-  size_t groupOf(uint32_t path) const { return paths_[path].toMeet > 0 ? 1 : 0; }
+  static constexpr size_t kInVolume = 0, kAmongFibres = 1;
+  size_t groupOf(uint32_t path) const { return paths_[path].toMeet > 0 ? kAmongFibres : kInVolume; }
   MediumBatch& batchOf(uint32_t path) const { return *groups_[groupOf(path)].batch; }
 
   template <class Asked>
@@ -105,12 +107,12 @@ class CloseUpBatch final : public MediumBatch {
     if (!near) return;
     path.toMeet = CloseUpMedium::kMeetings;
     anyAmongFibres_ = true;
-    groups_[1].batch->begin(pathRay.path, path.from, {});
+    groups_[kAmongFibres].batch->begin(pathRay.path, path.from, {});
   }
 
   /// A fibre that a path among fibres has met.
-  void count(uint32_t path, const Collision& fibre) {
-    if (--paths_[path].toMeet == 0) groups_[0].batch->begin(path, fibre.place, {});
+  void meets(uint32_t path, const Collision& fibre) {
+    if (--paths_[path].toMeet == 0) groups_[kInVolume].batch->begin(path, fibre.place, {});
   }
 
   bool isNear(const Path& path, const PathRay& pathRay) const {

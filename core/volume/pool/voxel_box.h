@@ -72,8 +72,8 @@ inline VoxelBox VoxelBox::nearest(Float32x4 lower, Float32x4 upper) {
   };
   const Float32x4 from = static_cast<float>(kParts) * lower, to = static_cast<float>(kParts) * upper;
   Int32x4 a = part(from + 0.5f, kParts), b = part(to + 0.5f, kParts);
-  const Int32x4 middle = part(0.5f * (from + to), kParts - 1),
-                thin = a >= b;  // thinner than a part: that of its middle
+  // What is thinner than a part is the one that its middle is in.
+  const Int32x4 middle = part(0.5f * (from + to), kParts - 1), thin = a >= b;
   a = thin ? middle : a;
   b = thin ? middle + 1 : b;
   const Int32x4 beyond = a > kParts / 2;  // as codeOf()

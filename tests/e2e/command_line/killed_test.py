@@ -46,6 +46,7 @@ class Killed(CommandLineTest):
     def test_a_file_is_the_old_one_or_the_new_one(self):
         chance = random.Random(SEED)
         writers = list(self.writers())
+        left_old = 0
         for words, ending in writers:
             with self.subTest(words=words[0], ending=ending):
                 file = "written." + ending
@@ -65,8 +66,11 @@ class Killed(CommandLineTest):
                     process.wait()
                     found = without_date(self.bytes_of(file))
                     self.assertIn(found, (old, new), f"torn: {len(found)} bytes")
+                    left_old += found == old
                 # What the killed ones left beside it does not hold up the next.
                 self.assertEqual(self.whole_files(words, file)[0], new)
+        # One may end before it is killed, where the machine is busy; at least half of those killed at once do not.
+        self.assertGreaterEqual(2 * left_old, len(writers), "they had ended before they were killed")
 
     def test_a_file_that_is_written_over_and_over_is_whole(self):
         """As settings and copies of unsaved work are."""

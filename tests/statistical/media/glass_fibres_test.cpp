@@ -106,7 +106,7 @@ void expectWithin(double most, const Picture& ours, const Picture& truth) {
 
 // The truth that no statistics can fool: fibres by their BCSDF against glass cylinders, surface by surface, through the
 // very same cloth. What fibres absorb depends on how far light goes in them, hence on how many it meets and where it
-// leaves them; where it goes, on their lobes. Over six million paths the furnace is the same to 0.1 %, and the dome
+// leaves them; where it goes, on their lobes. Over six million paths the furnace is the same to 0.05 %, and the dome
 // 0.6 % brighter (+- 0.1): no fibre of ours is smooth. Light that set out where it came in would make both 4 to 5 %
 // brighter.
 TEST(GlassFibres, AreWhatSmoothFibresLookLike) {
