@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 import subprocess
+import unittest
 
 from harness import HANGS_S, ROOT, CommandLineTest, main
 
@@ -249,6 +250,40 @@ class TestsRun(SmallTree):
                 self.assertEqual((done.returncode, done.stdout), (0, "Total Tests: 3\n"), done.stderr)
                 self.assertEqual((self.folder / "calls").read_text(), f"--preset release {' '.join(words)}\n")
                 self.assertNotIn("passed", done.stderr)
+
+
+class Rooms(SmallTree):
+    """The scripts that take root: what cannot be tried here ends with 77, and what fails with something else."""
+
+    SCRIPTS = ("clean_room", "package_room", "farm")
+
+    def setUp(self):
+        super().setUp()
+        for name in ("room.sh", *self.SCRIPTS):
+            shutil.copy(ROOT / "tests" / name, self.folder / "tests" / name)
+        for name in ("room", "package_room", "farm"):
+            (self.folder / f"tests/{name}_packages.txt").write_text("absent\n")
+        self.folder.chmod(0o755)
+
+    def test_without_root_a_line_says_that_it_takes_root(self):
+        nobody = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
+        for name in self.SCRIPTS:
+            with self.subTest(script=name):
+                done = subprocess.run([self.folder / "tests" / name], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                      capture_output=True, text=True, timeout=HANGS_S, **nobody)
+                self.assertEqual((done.returncode, done.stdout), (77, ""), done.stderr)
+                (line,) = done.stderr.splitlines()
+                self.assertRegex(line, "takes? root.*: run this as root, or with sudo$")
+
+    @unittest.skipIf(os.geteuid() != 0, "without root they do not come so far")
+    def test_packages_that_cannot_be_installed_are_a_failure(self):
+        for name, script in (("unshare", "exit 0"), ("dpkg-query", "exit 1"), ("apt-get", "exit 100")):
+            self.tool(name, script)
+        for name in self.SCRIPTS:
+            with self.subTest(script=name):
+                done = self.run_script(f"tests/{name}")
+                self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+                self.assertIn("the packages could not be installed", done.stderr)
 
 
 main()
