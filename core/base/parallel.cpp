@@ -61,4 +61,12 @@ void parallelFor(size_t count, int threads, const std::function<void(size_t)>& b
 #endif
 }
 
+void withThreads([[maybe_unused]] int threads, const std::function<void()>& body) {
+#ifdef LOOMLIGHT_STD_THREADS
+  body();
+#else
+  tbb::task_arena(threads > 0 ? threads : hardwareThreads()).execute(body);
+#endif
+}
+
 }  // namespace loomlight

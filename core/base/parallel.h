@@ -14,4 +14,8 @@ int hardwareThreads();
 /// Cost: one indirect call an index; give it tiles, bricks or rows, not pixels.
 void parallelFor(size_t count, int threads, const std::function<void(size_t)>& body);
 
+/// Calls `body`, in which a library that brings its work to oneTBB by itself finds up to `threads` threads (0: all). In
+/// builds for ThreadSanitizer it just calls it.
+void withThreads(int threads, const std::function<void()>& body);
+
 }  // namespace loomlight

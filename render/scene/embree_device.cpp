@@ -1,18 +1,26 @@
 #include "render/scene/embree_device.h"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
+
+#include "core/base/parallel.h"
 
 namespace loomlight {
 namespace {
 
-/// Embree's threads are oneTBB's, which ThreadSanitizer cannot follow (core/base/parallel.h). And where Embree 4 is
-/// told to stop, it throws out of a task, which another thread may have taken by then: now and then that one ends the
-/// program in TBB (seen with Embree 4.3 and oneTBB 2022, not with Embree 3.13 and 2021). One thread has nobody to take
-/// its tasks.
+/// How a device is told of threads: not at all. What it is told would be a limit for all of the program, for as long as
+/// the device lives, since Embree hands it on to oneTBB as a limit of its own. ThreadSanitizer cannot follow oneTBB,
+/// which no other part of its builds uses (core/base/parallel.h).
+#ifdef LOOMLIGHT_STD_THREADS
+constexpr const char* kConfiguration = "threads=1";
+#else
+constexpr const char* kConfiguration = nullptr;
+#endif
+
+/// Where Embree 4 is told to stop, it throws out of a task, which another thread may have taken by then: now and then
+/// that one ends the program in TBB (seen with Embree 4.3 and oneTBB 2022, not with Embree 3.13 and 2021). One thread
+/// has nobody to take its tasks.
 int builderThreads([[maybe_unused]] int threads) {
-#if defined(LOOMLIGHT_STD_THREADS) || LOOMLIGHT_EMBREE_MAJOR >= 4
+#if LOOMLIGHT_EMBREE_MAJOR >= 4
   return 1;
 #else
   return threads;
@@ -21,8 +29,7 @@ int builderThreads([[maybe_unused]] int threads) {
 
 }  // namespace
 
-EmbreeDevice::EmbreeDevice(int threads)
-    : handle_(rtcNewDevice(fmt::format("threads={}", builderThreads(threads)).c_str())) {
+EmbreeDevice::EmbreeDevice() : handle_(rtcNewDevice(kConfiguration)) {
   if (!handle_) throw std::runtime_error("Embree could not start");
   rtcSetDeviceMemoryMonitorFunction(
       handle_,
@@ -31,6 +38,10 @@ EmbreeDevice::EmbreeDevice(int threads)
         return true;
       },
       &bytes_);
+}
+
+void EmbreeDevice::commit(RTCScene scene, int threads) const {
+  withThreads(builderThreads(threads), [scene] { rtcCommitScene(scene); });
 }
 
 }  // namespace loomlight

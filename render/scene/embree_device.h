@@ -11,13 +11,15 @@ namespace loomlight {
 /// An Embree device, which counts what it has allocated. Release what was made with it first.
 class EmbreeDevice {
  public:
-  /// For so many threads of Embree's builder; 0: all. Throws std::runtime_error where Embree does not start.
-  explicit EmbreeDevice(int threads);
+  /// Throws std::runtime_error where Embree does not start.
+  EmbreeDevice();
   ~EmbreeDevice() { rtcReleaseDevice(handle_); }
   EmbreeDevice(const EmbreeDevice&) = delete;
   EmbreeDevice& operator=(const EmbreeDevice&) = delete;
 
   operator RTCDevice() const { return handle_; }
+  /// Builds a scene of this device on up to `threads` threads; 0: all. What has gone wrong is for rtcGetDeviceError.
+  void commit(RTCScene scene, int threads) const;
   size_t bytes() const { return static_cast<size_t>(bytes_.load()); }
 
  private:

@@ -113,14 +113,14 @@ const FibreBricks::Brick& FibreBricks::brick(const YarnCellKey& key) const {
 }
 
 std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const YarnCellKey& key) const {
-  std::call_once(started_, [this] { device_ = std::make_unique<EmbreeDevice>(0); });
+  std::call_once(started_, [this] { device_ = std::make_unique<EmbreeDevice>(); });
   auto brick = std::make_unique<Brick>();
   brick->curves.add(geometry_->strands(key), [&](glm::vec3 usz) { return inCloth(usz, key.system, glm::vec2(0)); });
   RTCGeometry curves = brick->curves.geometry(*device_, Brick::filter, nullptr);
   brick->scene = rtcNewScene(*device_);
   rtcAttachGeometry(brick->scene, curves);
   rtcReleaseGeometry(curves);
-  rtcCommitScene(brick->scene);
+  device_->commit(brick->scene, 1);  // many are made side by side, each by a thread that waits for it
   if (rtcGetDeviceError(*device_) != RTC_ERROR_NONE) throw std::bad_alloc();
   RTCBounds bounds;
   rtcGetSceneBounds(brick->scene, &bounds);

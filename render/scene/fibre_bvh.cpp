@@ -130,7 +130,7 @@ bool FibreBvh::Impl::commit(RTCScene of, const Task& task, double from, double t
         return !m.task.stopped();
       },
       &monitor);
-  rtcCommitScene(of);
+  device->commit(of, task.threads);
   rtcSetSceneProgressMonitorFunction(of, nullptr, nullptr);
   switch (rtcGetDeviceError(*device)) {
     case RTC_ERROR_NONE:
@@ -188,7 +188,7 @@ std::unique_ptr<const FibreBvh> FibreBvh::build(std::shared_ptr<const TraceData>
                                                 const Task& task) {
   auto impl = std::make_unique<Impl>(std::move(cloth), size);
   if (!impl->lay(task)) return nullptr;
-  impl->device.emplace(task.threads);
+  impl->device.emplace();
   impl->laid = rtcNewScene(*impl->device);
   for (unsigned id = 0; id < impl->yarns.size(); ++id) {
     if (task.stopped()) return nullptr;

@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "render/scene/embree.h"
+#include "render/scene/embree_device.h"
 
 // How it works. Embree finds the triangles of the shell's boundary whose boxes a ray comes through, and asks us where
 // it meets them: its own triangle test rounds otherwise on another processor (likely as it starts from the processor's
@@ -131,10 +131,6 @@ glm::vec3 aside(glm::vec3 direction, int attempt) {
 
 }  // namespace
 
-void ShellEntry::ReleaseDevice::operator()(RTCDeviceTy* device) const {
-  rtcReleaseDevice(device);
-}
-
 void ShellEntry::ReleaseScene::operator()(RTCSceneTy* scene) const {
   rtcReleaseScene(scene);
 }
@@ -144,12 +140,10 @@ ShellEntry::ShellEntry(std::shared_ptr<const Shell> shell) : shell_(std::move(sh
   reach_ = std::max({extent.x, extent.y, extent.z});
   if (shell_->isFlat()) return;
 
-  // One thread: the callers bring their own, and a shell is built in milliseconds.
-  device_.reset(rtcNewDevice("threads=1"));
-  if (!device_) throw std::bad_alloc();
-  scene_.reset(rtcNewScene(device_.get()));
+  device_ = std::make_unique<const EmbreeDevice>();
+  scene_.reset(rtcNewScene(*device_));
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+  RTCGeometry geometry = rtcNewGeometry(*device_, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned int>(shell_->boundary().size()));
   rtcSetGeometryUserData(geometry, const_cast<Shell*>(shell_.get()));
   rtcSetGeometryBoundsFunction(geometry, boundFace, nullptr);
@@ -157,9 +151,11 @@ ShellEntry::ShellEntry(std::shared_ptr<const Shell> shell) : shell_(std::move(sh
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene_.get(), geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(scene_.get());
-  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) throw std::bad_alloc();
+  device_->commit(scene_.get(), 1);  // it takes milliseconds
+  if (rtcGetDeviceError(*device_) != RTC_ERROR_NONE) throw std::bad_alloc();
 }
+
+ShellEntry::~ShellEntry() = default;
 
 std::optional<ShellEntry::Hit> ShellEntry::enter(glm::vec3 origin, glm::vec3 direction, float tMin, float tMax) const {
   if (shell_->isFlat()) return enterBox(origin, direction, tMin, tMax);

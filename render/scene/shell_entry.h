@@ -5,16 +5,20 @@
 
 #include "core/shell/shell.h"
 
-struct RTCDeviceTy;  // Embree's, which only the source file needs
-struct RTCSceneTy;
+struct RTCSceneTy;  // Embree's, which only the source file needs
 
 namespace loomlight {
+
+class EmbreeDevice;
 
 /// Finds where a ray enters the cloth from outside. One Embree scene of the shell's boundary, or a box if it is flat;
 /// immutable, and safe to ask from many threads.
 class ShellEntry {
  public:
   explicit ShellEntry(std::shared_ptr<const Shell> shell);
+  ~ShellEntry();
+  ShellEntry(ShellEntry&&) = delete;
+  ShellEntry& operator=(ShellEntry&&) = delete;
 
   struct Hit {
     float t;  ///< >= tMin
@@ -28,9 +32,6 @@ class ShellEntry {
   std::optional<Hit> enter(glm::vec3 origin, glm::vec3 direction, float tMin, float tMax) const;
 
  private:
-  struct ReleaseDevice {
-    void operator()(RTCDeviceTy* device) const;
-  };
   struct ReleaseScene {
     void operator()(RTCSceneTy* scene) const;
   };
@@ -38,7 +39,7 @@ class ShellEntry {
   std::optional<Hit> enterBox(glm::vec3 origin, glm::vec3 direction, float tMin, float tMax) const;
 
   std::shared_ptr<const Shell> shell_;
-  std::unique_ptr<RTCDeviceTy, ReleaseDevice> device_;
+  std::unique_ptr<const EmbreeDevice> device_;
   std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;
   float reach_ = 0;  ///< largest coordinate, mm: how exact parameters can be
 };
