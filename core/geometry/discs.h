@@ -53,8 +53,9 @@ class Parting {
   bool knowsNeighbours(const DiscCentres& centres) const;
 
   HelicalFibres fibres_;
-  double slack_mm_ = 0;  ///< that neighbours were looked for in, beyond where they touch
-  DiscCentres looked_;   ///< where they were then
+  double slack_mm_ = 0;     ///< that neighbours were looked for in, beyond where they touch
+  DiscCentres looked_;      ///< where they were then
+  std::vector<int> order_;  ///< of the fibres, by where they lay
   std::vector<std::pair<int, int>> neighbours_;
 };
 

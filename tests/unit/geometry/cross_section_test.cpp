@@ -73,6 +73,22 @@ TEST(MeanOverlap, CountsWhatFibresShare) {
   EXPECT_LT(meanOverlap(plySection(FibreLayout::packed, 600, std::sqrt(600 / 0.6), {1}, 3), {1}), 0.01);
 }
 
+// Whichever rings and windows the pairs are looked for in: all of them are found, and none twice.
+TEST(MeanOverlap, IsThatOfAllPairs) {
+  const double slope = 0.08;
+  for (const int count : {2, 7, 60, 500})
+    for (const HelicalFibres& fibres :
+         {HelicalFibres{1}, HelicalFibres{1, slope}, HelicalFibres{1, slope, {0.7, 1.4}}}) {
+      const DiscCentres centres = plySection(FibreLayout::random, count, std::sqrt(count / 0.6), {1}, count);
+      double sum = 0;
+      for (size_t i = 0; i < centres.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+          if (const double half = 0.5 * std::sqrt(fibres.apartSquare(centres[i], centres[j])); half < 1)
+            sum += 4 / kPi * (std::acos(half) - half * std::sqrt(1 - half * half));
+      EXPECT_NEAR(meanOverlap(centres, fibres), sum / count, 1e-12 * count) << count << " fibres";
+    }
+}
+
 TEST(PackedSection, FillsItsDiscEvenly) {
   // Within a disc of half the area lie half the fibres, within 4 sigma of a uniform scatter (packing makes it less).
   const int count = 600;
