@@ -7,6 +7,7 @@
 #include "render/media/fibre_medium.h"
 #include "render/media/report_medium.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/every_sample.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -128,16 +129,11 @@ TEST(BvdfBaker, IsAPropertyOfTheYarnMoreThanOfTheWeave) {
 
 /// Mean radiance, over the cloth, of light that comes straight from the lamp to the first fibre.
 double directLight(const Scene& scene, const Medium& medium) {
-  const CameraRays camera(scene.fabric->camera, 32, 32);
-  TraceCounts counts;
   double light = 0, alpha = 0;
-  for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 32; ++x)
-      for (uint32_t i = 0; i < 8; ++i) {
-        const PathSample sample = tracePath(scene, medium, camera, x, y, i, counts);
-        light += sample.direct.g;
-        alpha += sample.alpha;
-      }
+  test::forEachSample(scene, medium, 32, 8, [&](int, int, const PathSample& sample) {
+    light += sample.direct.g;
+    alpha += sample.alpha;
+  });
   return light / alpha;
 }
 

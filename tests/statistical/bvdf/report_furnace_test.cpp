@@ -6,6 +6,7 @@
 #include "render/media/report_medium.h"
 #include "render/optics/fibre_frame.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/every_sample.h"
 #include "tests/support/sampled_mean.h"
 #include "tests/support/test_cloth.h"
 #include "tests/support/white_light.h"
@@ -37,25 +38,21 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
   Random random(8);
   test::SampledMean radiance, gain;
   MediumPath path = report.path();
-  for (int y = 0; y < 48; ++y)
-    for (int x = 0; x < 48; ++x)
-      for (uint32_t i = 0; i < 8; ++i) {
-        const PathSample sample = tracePath(*scene, report, camera, x, y, i, counts);
-        if (sample.alpha > 0) radiance.add(sample.direct.g + sample.indirect.g);
+  test::forEachSample(*scene, report, camera, {0, 0, 48, 48}, 8, counts, [&](int x, int y, const PathSample& sample) {
+    if (sample.alpha > 0) radiance.add(sample.direct.g + sample.indirect.g);
 
-        const float dx = random.uniform(), dy = random.uniform();
-        const Ray ray = camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
-        path.begin({ray.origin, -1});
-        const auto hit = path.collide(ray.direction, random, counts);
-        if (!hit) continue;
-        const FibreFrame frame(hit->tangent);
-        const auto scattered =
-            scene->cloth->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
-        const glm::vec3 on = frame.toWorld(scattered.wi);
-        path.leave(*hit, on, scattered.length);
-        gain.add(path.transmittance(on, kFar, random, counts) -
-                 plain.transmittance(path.place(), {}, on, kFar, random, counts));
-      }
+    const float dx = random.uniform(), dy = random.uniform();
+    const Ray ray = camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
+    path.begin({ray.origin, -1});
+    const auto hit = path.collide(ray.direction, random, counts);
+    if (!hit) return;
+    const FibreFrame frame(hit->tangent);
+    const auto scattered = scene->cloth->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
+    const glm::vec3 on = frame.toWorld(scattered.wi);
+    path.leave(*hit, on, scattered.length);
+    gain.add(path.transmittance(on, kFar, random, counts) -
+             plain.transmittance(path.place(), {}, on, kFar, random, counts));
+  });
   EXPECT_GT(gain.mean(), 0.03);
   const double error = std::hypot(radiance.standardError(), gain.standardError());
   EXPECT_LT(error, 0.006);

@@ -8,6 +8,7 @@
 #include "render/scene/fibre_bricks.h"
 #include "render/transport/make_medium.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/every_sample.h"
 #include "tests/support/test_cloth.h"
 #include "tests/support/white_light.h"
 
@@ -28,12 +29,9 @@ Fabric seenAt(double width_mm) {
 }
 
 std::vector<PathSample> traced(const Scene& scene, const Medium& medium, uint32_t samples) {
-  const CameraRays camera(scene.fabric->camera, kSize, kSize);
   std::vector<PathSample> all;
-  TraceCounts counts;
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
-      for (uint32_t i = 0; i < samples; ++i) all.push_back(tracePath(scene, medium, camera, x, y, i, counts));
+  test::forEachSample(scene, medium, kSize, samples,
+                      [&](int, int, const PathSample& sample) { all.push_back(sample); });
   return all;
 }
 

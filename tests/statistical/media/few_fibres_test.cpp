@@ -6,6 +6,7 @@
 #include "render/optics/fibre_frame.h"
 #include "render/scene/fibre_bvh.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/every_sample.h"
 #include "tests/support/fibre_oracle.h"
 #include "tests/support/test_cloth.h"
 
@@ -103,16 +104,12 @@ TEST_F(FewFibres, OneShowsTheIntegralOfItsBcsdfInParallelLight) {
     const auto fibres = FibreMedium::build(lit->cloth, {}, Task{});
     constexpr int kSide = 48;
     constexpr uint32_t kSamples = 24;
-    const CameraRays camera(fabric.camera, kSide, kSide);
-    TraceCounts counts;
     glm::dvec3 sum(0), squares(0);
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x)
-        for (uint32_t i = 0; i < kSamples; ++i) {
-          const glm::dvec3 value(tracePath(*lit, *fibres, camera, x, y, i, counts).direct);
-          sum += value;
-          squares += value * value;
-        }
+    test::forEachSample(*lit, *fibres, kSide, kSamples, [&](int, int, const PathSample& sample) {
+      const glm::dvec3 value(sample.direct);
+      sum += value;
+      squares += value * value;
+    });
     constexpr double kPaths = double{kSide} * kSide * kSamples;
     const glm::dvec3 mean = sum / kPaths, error = glm::sqrt((squares / kPaths - mean * mean) / kPaths);
 

@@ -5,6 +5,7 @@
 #include "render/media/fibre_medium.h"
 #include "render/scene/fibre_bvh.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/every_sample.h"
 #include "tests/support/isotropic_light.h"
 #include "tests/support/test_cloth.h"
 
@@ -70,18 +71,13 @@ struct Mean {
 Mean meanOfBlocks(const Scene& scene, const Medium& medium) {
   constexpr int kBlocks = 5, kSide = 8;
   constexpr uint32_t kSamples = 24;
-  const CameraRays camera(scene.fabric->camera, kBlocks * kSide, kBlocks * kSide);
-  TraceCounts counts;
+  std::array<double, static_cast<size_t>(kBlocks) * kBlocks> lights{};
+  test::forEachSample(scene, medium, kBlocks * kSide, kSamples, [&](int x, int y, const PathSample& sample) {
+    lights[static_cast<size_t>(y / kSide * kBlocks + x / kSide)] +=
+        (sample.direct.g + sample.indirect.g) / (kSide * kSide * kSamples);
+  });
   double sum = 0, squares = 0;
-  for (int block = 0; block < kBlocks * kBlocks; ++block) {
-    double light = 0;
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x)
-        for (uint32_t i = 0; i < kSamples; ++i) {
-          const PathSample sample =
-              tracePath(scene, medium, camera, block % kBlocks * kSide + x, block / kBlocks * kSide + y, i, counts);
-          light += (sample.direct.g + sample.indirect.g) / (kSide * kSide * kSamples);
-        }
+  for (const double light : lights) {
     sum += light;
     squares += light * light;
   }

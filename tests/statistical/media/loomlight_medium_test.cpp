@@ -7,6 +7,7 @@
 #include "render/media/fibre_medium.h"
 #include "render/media/volume_medium.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/every_sample.h"
 #include "tests/support/isotropic_light.h"
 #include "tests/support/test_cloth.h"
 
@@ -33,19 +34,14 @@ struct MeanRadiance {
 };
 
 MeanRadiance render(const Scene& scene, const Medium& medium, int side, uint32_t samples) {
-  const CameraRays camera(scene.fabric->camera, side, side);
-  TraceCounts counts;
   const double paths = static_cast<double>(side) * side * samples;
   double sum = 0, squares = 0, alpha = 0;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
-      for (uint32_t i = 0; i < samples; ++i) {
-        const PathSample sample = tracePath(scene, medium, camera, x, y, i, counts);
-        const double value = sample.direct.g + sample.indirect.g;
-        sum += value;
-        squares += value * value;
-        alpha += sample.alpha;
-      }
+  test::forEachSample(scene, medium, side, samples, [&](int, int, const PathSample& sample) {
+    const double value = sample.direct.g + sample.indirect.g;
+    sum += value;
+    squares += value * value;
+    alpha += sample.alpha;
+  });
   const double mean = sum / paths;
   return {mean, alpha / paths, std::sqrt((squares / paths - mean * mean) / paths)};
 }

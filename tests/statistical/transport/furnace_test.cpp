@@ -9,6 +9,7 @@
 #include "render/media/loomlight_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_medium.h"
+#include "tests/support/every_sample.h"
 #include "tests/support/mesh_drape.h"
 #include "tests/support/sampled_mean.h"
 #include "tests/support/white_light.h"
@@ -20,15 +21,10 @@ using test::MediumKind;
 
 /// Radiance of the paths that meet a fibre.
 test::SampledMean radianceOf(const Scene& scene, const Medium& medium, int side, uint32_t samples) {
-  const CameraRays camera(scene.fabric->camera, side, side);
-  TraceCounts counts;
   test::SampledMean radiance;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
-      for (uint32_t i = 0; i < samples; ++i) {
-        const PathSample sample = tracePath(scene, medium, camera, x, y, i, counts);
-        if (sample.alpha > 0) radiance.add(sample.direct.g + sample.indirect.g);
-      }
+  test::forEachSample(scene, medium, side, samples, [&](int, int, const PathSample& sample) {
+    if (sample.alpha > 0) radiance.add(sample.direct.g + sample.indirect.g);
+  });
   return radiance;
 }
 
@@ -111,18 +107,13 @@ TEST(WhiteFurnaceOfDyedCloth, KeepsBetweenReflectionAndWhite) {
   fabric.fibres[0].absorption_per_mm = Rgb(5.0f, 20.0f, 200.0f);
   fabric.light.kind = LightKind::furnace;
   const auto scene = test::sceneOf(fabric);
-  const CameraRays camera(fabric.camera, 16, 16);
   const auto medium = test::kPlain.make(*scene);
-  TraceCounts counts;
   Rgb sum(0.0f);
   float alpha = 0;
-  for (int y = 0; y < 16; ++y)
-    for (int x = 0; x < 16; ++x)
-      for (uint32_t i = 0; i < 16; ++i) {
-        const PathSample sample = tracePath(*scene, *medium, camera, x, y, i, counts);
-        sum += sample.direct + sample.indirect;
-        alpha += sample.alpha;
-      }
+  test::forEachSample(*scene, *medium, 16, 16, [&](int, int, const PathSample& sample) {
+    sum += sample.direct + sample.indirect;
+    alpha += sample.alpha;
+  });
   const Rgb mean = sum / alpha;
   EXPECT_LT(mean.r, 1.0f);
   EXPECT_LT(mean.g, mean.r);

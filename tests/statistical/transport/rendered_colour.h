@@ -6,6 +6,7 @@
 #include "render/transport/make_medium.h"
 #include "render/transport/path_length_tally.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/every_sample.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -39,15 +40,12 @@ inline Rgb renderedColour(Fabric fabric, int yarn) {
   glm::dvec3 sum(0.0);
   int count = 0;
   TraceCounts counts;
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
-      for (uint32_t i = 0; i < kSamples; ++i) {
-        const PathSample sample =
-            tracePath(*patch.scene, *patch.medium, camera, x + kSide / 2, y + kSide / 2, i, counts);
-        if (sample.yarn != yarn) continue;
-        sum += glm::dvec3(sample.direct + sample.indirect);
-        ++count;
-      }
+  test::forEachSample(*patch.scene, *patch.medium, camera, {kSide / 2, kSide / 2, kSide, kSide}, kSamples, counts,
+                      [&](int, int, const PathSample& sample) {
+                        if (sample.yarn != yarn) return;
+                        sum += glm::dvec3(sample.direct + sample.indirect);
+                        ++count;
+                      });
   return Rgb(sum / static_cast<double>(count));
 }
 
