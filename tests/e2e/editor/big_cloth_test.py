@@ -11,6 +11,7 @@ import resource
 import statistics
 import subprocess
 
+from small_cloth import small_cloth
 from window_driver import expect, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
@@ -109,7 +110,7 @@ def edits(editor, name):
 
 def test():
     with window(WIDTH, HEIGHT) as editor:
-        editor.start(PROGRAM)
+        editor.start(PROGRAM, [small_cloth(editor.home, "First")])
         editor.wait_until("a picture", lambda: editor.number("shown_samples") > 0)
         small, big = (edits(editor, name) for name in SIDES)
         longest_ms, whole_ms = editor.number("longest_frame_ms"), read_and_written_ms(cloth(editor.home, "Big"))
