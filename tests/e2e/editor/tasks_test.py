@@ -10,7 +10,8 @@ from window_driver import Failure, expect, read_json, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
-WIDTH, HEIGHT = 1440, 900
+WIDTH, HEIGHT = 1280, 720
+SAMPLES_A_PIXEL = 1  # no task looks at the picture
 
 TWILL = ["#..#", "##..", ".##.", "..##"]
 POINT_TWILL = """[WIF]
@@ -258,11 +259,11 @@ def main(chosen):
     for task, most in TASKS:
         if chosen and task.__name__ not in chosen:
             continue
-        with window(WIDTH, HEIGHT) as editor:
+        with window(WIDTH, HEIGHT, SAMPLES_A_PIXEL) as editor:
             editor.start(PROGRAM)
             within(editor, most, task)
     if not chosen or "wrong_values" in chosen:
-        with window(1024, 640) as editor:
+        with window(1024, 640, SAMPLES_A_PIXEL) as editor:
             editor.start(PROGRAM)
             wrong_values(editor)
 
