@@ -32,7 +32,8 @@ class Handover(CommandLineTest):
             self.heights_add_up(sidecar)
 
     def heights_add_up(self, sidecar):
-        """Of the same run, since the fit of each takes long."""
+        """They are millimetres. Asked of a run that others ask too, as its fit takes long."""
+
         def heights_mm(side):
             told = sidecar["sides"][side]["maps"]["height"]
             _, _, rows = read_png(self.folder / "out" / told["file"])
