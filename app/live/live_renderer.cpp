@@ -63,7 +63,7 @@ BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const RecentC
 struct LiveRenderer::Workers {
   Workers(std::function<void()> wakeWindow, int threadCount)
       : wake(std::move(wakeWindow)),
-        threads(threadCount > 0 ? threadCount : std::max(1, hardwareThreads() - 1)),
+        threads(threadCount > 0 ? threadCount : hardwareThreads()),
         tracer(wake, threads),
         layer(
             wake, [this](Traceable laid) { tracer.fibres(std::move(laid)); }, threads),

@@ -71,7 +71,7 @@ struct LiveStatus {
 class LiveRenderer {
  public:
   /// `wake` is called from the workers when there is something new to show.
-  /// `threads`: for tracing; 0 leaves one hardware thread to the window.
+  /// `threads`: for tracing; 0: all that the machine has, as the window needs little.
   explicit LiveRenderer(std::function<void()> wake, int threads = 0);
   ~LiveRenderer();
   LiveRenderer(const LiveRenderer&) = delete;

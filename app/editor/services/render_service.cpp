@@ -1,11 +1,8 @@
 #include "app/editor/services/render_service.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "core/base/parallel.h"
 #include "ui/words/picture_words.h"
-
 namespace loomlight {
 
 RenderService::RenderService()
@@ -15,7 +12,6 @@ RenderService::RenderService()
           [](const Work& work, const auto& job) {
             Task task;
             task.stop = job.stop();
-            task.threads = std::max(1, hardwareThreads() - 1);  // the window keeps its core
             task.progress = [&job](double fraction) { job.bring({{true, fraction, "", false}, false}); };
             const std::optional<std::string> written = work(task);
             return Told{{false, 1, written.value_or(words::rendering::cancelled), false}, written.has_value()};
