@@ -263,8 +263,7 @@ nlohmann::ordered_json jsonOf(const ClothResult& result) {
 
 int run(const EditBenchCommand& command) {
   const Interrupt interrupt;
-  const Bench bench{command.quick, command.threads > 0 ? command.threads : hardwareThreads(),
-                    interrupt.token()};
+  const Bench bench{command.quick, command.threads > 0 ? command.threads : hardwareThreads(), interrupt.token()};
   Stopwatch watch;
   ReportPage page(command.folder, "edit", "Edits: what the editor does again, and how soon it shows");
   page.paragraph(fmt::format(

@@ -38,7 +38,7 @@ namespace loomlight {
 class Session {
  public:
   /// `driver` keeps the pictures that are shown, and outlives the session. `wake` brings the window to draw again;
-  /// called from the workers. `threads`: for tracing; 0 leaves one hardware thread to the window.
+  /// called from the workers. `threads`: for tracing; 0: all that the machine has.
   Session(Document document, Settings settings, DisplayDriver& driver, const std::function<void()>& wake, int threads);
 
   void frame(Ui& ui);

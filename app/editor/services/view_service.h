@@ -37,7 +37,7 @@ struct ViewState {
 /// in the driver's textures where it is a picture. All of it in the thread of the window; no call waits.
 class ViewService {
  public:
-  /// `wake` is called from the workers. `threads`: for tracing; 0 leaves one hardware thread to the window.
+  /// `wake` is called from the workers. `threads`: for tracing; 0: all that the machine has.
   ViewService(DisplayDriver& driver, const std::function<void()>& wake, int threads);
 
   /// Takes what has come. Returns whether the picture is another one.
