@@ -12,7 +12,8 @@ newcomer=/home/newcomer  # the home of a user without rights, in the room
 running=""               # the process that runs in namespaces of its own
 log=""                   # what it says, where that is kept back
 
-# require_rooms: ends with 77, the exit status that means "cannot be tried here", and a line that says why.
+# require_rooms: ends with 77, the exit status that means "cannot be tried here", and a line that says why. Installs what
+# rooms are made with; where that fails, so does the script.
 require_rooms() {
   if ((EUID != 0)); then
     say "a clean room is a system of its own, which takes root to make: run this as root, or with sudo"

@@ -16,7 +16,7 @@ struct ClearBenchCommand {
   Sharing sharing = Sharing::both;  ///< whether light is shared between repeats
   double seconds = 0;               ///< that each edit is looked at; 0: as the extent has it
   int referenceSamples = 0;         ///< of the converged pictures; 0: as the extent has it
-  int threads = 0;                  ///< 0: as in the window, all but one
+  int threads = 0;                  ///< 0: as in the window, all
 };
 
 /// Exit status 0, or 130 when stopped, without a page then. Throws InputError.

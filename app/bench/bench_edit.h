@@ -10,7 +10,7 @@ struct EditBenchCommand {
   std::string folder;  ///< where page and tables go
   bool quick = false;  ///< small cloths, small pictures, one round: for tests
   bool json = false;   ///< the tables on stdout too
-  int threads = 0;     ///< 0: as in the window, all but one
+  int threads = 0;     ///< 0: as in the window, all
 };
 
 /// Exit status 0, or 130 when stopped, without a page then. Throws InputError.

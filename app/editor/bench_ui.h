@@ -6,7 +6,7 @@ namespace loomlight {
 struct UiBenchOptions {
   bool quick = false;  ///< a small jacquard and few frames: for tests
   bool json = false;   ///< JSON instead of a table
-  int threads = 0;     ///< of the workers; 0: all but one
+  int threads = 0;     ///< of the workers; 0: all
 };
 
 /// Opens the window on a jacquard of 4000 x 4000, makes one edit after another that rebuilds all of it, and draws frame

@@ -8,7 +8,7 @@ struct EditorOptions {
   std::string fabricFile;     ///< to open; empty: a sample cloth
   int width = 0, height = 0;  ///< of the window; 0: as it was left, or 1440 x 900
   float scale = 0;            ///< of the interface; 0: from the monitor
-  int threads = 0;            ///< for tracing; 0: all but one
+  int threads = 0;            ///< for tracing; 0: all
   std::string widgetDump;     ///< debugging and tests: a JSON file that always says where the named widgets are
 };
 

@@ -29,6 +29,7 @@ class Rings {
     start_.assign(order.empty() ? 1 : static_cast<size_t>(keys[static_cast<size_t>(order.back())].ring) + 3, 0);
     for (const Key& key : keys) ++start_[static_cast<size_t>(key.ring) + 1];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    for (std::vector<double>* column : {&angles_, &up_, &across_}) column->reserve(points.size());
     for (const int i : order) {
       angles_.push_back(keys[static_cast<size_t>(i)].angle);
       up_.push_back(points[static_cast<size_t>(i)].x);
@@ -58,12 +59,12 @@ class Rings {
         onward.begin = a + 1;
         follow(onward, angles_[a], angle);
         hold({onward.begin, onward.end});
-        hold({own.begin, std::min(onward.wrapped, a)});
+        hold({own.begin, std::min(onward.wrapped, a)});  // itself is a whole turn away
         const double from = angles_[a] - angle;
         seek(around, from < -kPi ? from + 2 * kPi : from);
         follow(around, around.first, 2 * angle);
         hold({around.begin, around.end});
-        hold({next.begin, std::min(around.wrapped, around.begin)});
+        hold({next.begin, around.wrapped});
       }
     }
   }
@@ -110,7 +111,8 @@ class Rings {
     return reach < 2 * innermost ? 2 * std::asin(0.5 * reach / innermost) : kPi;
   }
 
-  /// Begins the window with the first member whose angle is `first` or more.
+  /// Begins the window with the first member whose angle is `first` or more. Angles that are sought rise, but for one
+  /// step back by a whole turn, where the window begins anew.
   void seek(Window& window, double first) const {
     if (first < window.first) window = Window{window.ring};
     window.first = first;

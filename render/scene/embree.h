@@ -1,7 +1,9 @@
 #pragma once
 
 // Embree 3 (Debian 12) and Embree 4 (Debian 13) differ in how a query is handed over; only this file knows how.
-#if LOOMLIGHT_EMBREE_MAJOR >= 4
+#ifndef LOOMLIGHT_EMBREE_MAJOR
+#error "Embree is for the sources of this room alone: LOOMLIGHT_EMBREE_MAJOR is not defined"
+#elif LOOMLIGHT_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
 #include <embree3/rtcore.h>

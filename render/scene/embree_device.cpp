@@ -7,9 +7,9 @@
 namespace loomlight {
 namespace {
 
-/// How a device is told of threads: not at all. What it is told would be a limit for all of the program, for as long as
-/// the device lives, since Embree hands it on to oneTBB as a limit of its own. ThreadSanitizer cannot follow oneTBB,
-/// which no other part of its builds uses (core/base/parallel.h).
+/// What a device is told of threads. Nothing: Embree hands the number on to oneTBB as a limit for the whole program,
+/// for as long as the device lives. Only in builds for ThreadSanitizer it is 1, since ThreadSanitizer cannot follow the
+/// threads of oneTBB; nothing else uses oneTBB in them (core/base/parallel.h), so that the limit is Embree's alone.
 #ifdef LOOMLIGHT_STD_THREADS
 constexpr const char* kConfiguration = "threads=1";
 #else

@@ -120,7 +120,9 @@ std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const YarnCellKey& k
   brick->scene = rtcNewScene(*device_);
   rtcAttachGeometry(brick->scene, curves);
   rtcReleaseGeometry(curves);
-  device_->commit(brick->scene, 1);  // many are made side by side, each by a thread that waits for it
+  // On one thread: many bricks are made side by side, and this thread may not take up other work while it waits for
+  // Embree, which could come to wait for this very brick.
+  device_->commit(brick->scene, 1);
   if (rtcGetDeviceError(*device_) != RTC_ERROR_NONE) throw std::bad_alloc();
   RTCBounds bounds;
   rtcGetSceneBounds(brick->scene, &bounds);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <algorithm>
+#include <gtest/gtest.h>
+
 #include <vector>
 
 #include "render/film/pixel_rect.h"
@@ -9,7 +10,7 @@
 
 namespace loomlight::test {
 
-/// Traces samples 0 to `samples` of every pixel of a window, many at a time as pictures are traced, and calls
+/// Traces the first `samples` samples of every pixel of a window, many at a time as pictures are traced, and calls
 /// visit(x, y, sample) with each: row by row, those of a pixel one after the other. The cost is added to `counts`.
 template <class Visit>
 void forEachSample(const Scene& scene, const Medium& medium, const CameraRays& camera, const PixelRect& window,
@@ -17,7 +18,7 @@ void forEachSample(const Scene& scene, const Medium& medium, const CameraRays& c
   PathTracer tracer(scene, medium, camera, PathIntegrator::kBatch);
   std::vector<PixelSample> batch;
   const auto traceBatch = [&] {
-    tracer.trace(batch, counts);
+    ASSERT_TRUE(tracer.trace(batch, counts));
     for (size_t i = 0; i < batch.size(); ++i) visit(batch[i].x, batch[i].y, tracer.sample(i));
     batch.clear();
   };

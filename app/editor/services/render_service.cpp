@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ui/words/picture_words.h"
+
 namespace loomlight {
 
 RenderService::RenderService()

@@ -32,7 +32,7 @@ class Handover(CommandLineTest):
             self.heights_add_up(sidecar)
 
     def heights_add_up(self, sidecar):
-        """They are millimetres. Asked of a run that others ask too, as its fit takes long."""
+        """Those of front and back, mm, come to the thickness: of a run that is there already, as a fit takes long."""
 
         def heights_mm(side):
             told = sidecar["sides"][side]["maps"]["height"]

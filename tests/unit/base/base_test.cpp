@@ -104,6 +104,15 @@ TEST(Parallel, NestsWithoutDeadlock) {
   EXPECT_EQ(count, 64);
 }
 
+TEST(Parallel, WithThreadsCallsOnceAndLetsExceptionsThrough) {
+  for (const int threads : {0, 1, 2}) {
+    int calls = 0;
+    withThreads(threads, [&] { ++calls; });
+    EXPECT_EQ(calls, 1);
+    EXPECT_THROW(withThreads(threads, [] { throw std::runtime_error("threads"); }), std::runtime_error);
+  }
+}
+
 TEST(Task, StopsAndReports) {
   std::stop_source source;
   double reported = -1;

@@ -89,6 +89,22 @@ TEST(MeanOverlap, IsThatOfAllPairs) {
     }
 }
 
+// Whoever looks again for neighbours begins with the order of before. However little is left of it, the neighbours are
+// those that a first look finds, in the same order, and what is pushed apart ends in the same places.
+TEST(Parting, WhatLayThereBeforeLeavesNoTrace) {
+  const int count = 300;
+  for (const HelicalFibres& fibres : {HelicalFibres{1}, HelicalFibres{1, 0.08}, HelicalFibres{1, 0.08, {0.7, 1.4}}}) {
+    DiscCentres before = plySection(FibreLayout::random, count, std::sqrt(count / 0.6), {1}, 5);
+    const DiscCentres there = plySection(FibreLayout::random, count, std::sqrt(count / 0.6), {1}, 6);
+    Parting used(fibres), fresh(fibres);
+    used.sweep(before);
+    DiscCentres one = there, other = there;
+    EXPECT_EQ(used.sweep(one), fresh.sweep(other));
+    EXPECT_EQ(one, other);
+    EXPECT_NE(one, there);
+  }
+}
+
 TEST(PackedSection, FillsItsDiscEvenly) {
   // Within a disc of half the area lie half the fibres, within 4 sigma of a uniform scatter (packing makes it less).
   const int count = 600;

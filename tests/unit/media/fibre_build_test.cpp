@@ -5,6 +5,8 @@
 #include <fstream>
 #include <memory>
 #include <mutex>
+#include <set>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -41,6 +43,21 @@ TEST(FibreBuild, StopsWithinAStepAlsoInsideEmbree) {
       EXPECT_TRUE(stop.stop_requested());
       EXPECT_LE(after, hardwareThreads());
     }
+}
+
+// Embree's half too: it finds the threads that the builder was given, however many the machine has.
+TEST(FibreBuild, ByOneThreadIsByTheCaller) {
+  const auto scene = test::sceneOf(cottonPiece(4));
+  std::mutex mutex;
+  std::set<std::thread::id> builders;
+  Task task;
+  task.threads = 1;
+  task.progress = [&](double) {
+    const std::lock_guard lock(mutex);
+    builders.insert(std::this_thread::get_id());
+  };
+  ASSERT_TRUE(FibreMedium::build(scene->cloth, {}, task));
+  EXPECT_EQ(builders, std::set{std::this_thread::get_id()});
 }
 
 TEST(FibreBuild, ComesByInSmallSteps) {
