@@ -12,7 +12,7 @@
 namespace loomlight {
 namespace {
 
-// Embree makes a number of threads that a device is told of a limit for the whole program.
+// A number of threads that an Embree device is told becomes a limit for the whole program.
 
 /// Whether two pieces of work are done at the same time: each waits for the other to have begun.
 bool twoThreadsMeet() {
