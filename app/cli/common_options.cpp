@@ -25,7 +25,8 @@ void addValues(CLI::App& app, const std::string& name, const std::string& value,
 }
 
 void addInputFile(CLI::App& app, const std::string& name, std::string& file) {
-  app.add_option(name, file, "a fabric (.json, .loomlight), draft (.wif, .dtx), weave bitmap (.png) or picture (.exr)")
+  app.add_option(name, file,
+                 "a fabric (.json, .loomlight), draft (.wif, .dtx, .twa), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
 }

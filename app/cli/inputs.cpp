@@ -69,10 +69,10 @@ FabricInput readInput(const FabricSource& source) {
   if (const auto program = programOfForeignDraft(file))
     throw InputError(
         fmt::format("{}: expected a draft in WIF, which {} can save; its own files are not read", file, *program));
-  throw InputError(
-      fmt::format("{}: expected a fabric (.json, .loomlight), a draft (.wif, .plm, .dtx), a weave bitmap (.png) or a "
-                  "picture rendered by Loomlight (.exr)",
-                  file));
+  throw InputError(fmt::format(
+      "{}: expected a fabric (.json, .loomlight), a draft (.wif, .plm, .dtx, .twa), a weave bitmap (.png) or a "
+      "picture rendered by Loomlight (.exr)",
+      file));
 }
 
 Fabric fabricFrom(const FabricSource& source) {

@@ -33,13 +33,13 @@ bool isFabricFile(const std::string& file) {
 
 bool isWeavingFile(const std::string& file) {
   const std::string extension = lowerExtension(file);
-  return extension == ".wif" || extension == ".plm" || extension == ".dtx" || extension == ".txt";
+  return extension == ".wif" || extension == ".plm" || extension == ".dtx" || extension == ".twa" ||
+         extension == ".txt";
 }
 
 std::optional<std::string> programOfForeignDraft(const std::string& file) {
   const std::string extension = lowerExtension(file);
   if (extension == ".wpo") return "WeavePoint";
-  if (extension == ".twa") return "TempoWeave";
   return std::nullopt;
 }
 

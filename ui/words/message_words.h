@@ -32,7 +32,7 @@ inline constexpr const char* forgetIt = "Forget it";
 // What came of a file
 inline constexpr const char* unopenedTitle = "This file cannot be opened";
 inline constexpr const char* unknownKind =
-    "{}: expected a cloth (.loomlight, .json), a draft (.wif, .plm, .dtx), a picture (.png), a mesh (.obj, .ply, "
+    "{}: expected a cloth (.loomlight, .json), a draft (.wif, .plm, .dtx, .twa), a picture (.png), a mesh (.obj, .ply, "
     ".off), an environment (.exr), a palette (.ase, .aco, .gpl, .csv), a measured swatch (.cxf, .qtx, .csv, CGATS "
     ".txt), a lamp (two columns of text: nm and power) or a colour profile (.icc, .icm)";
 inline constexpr const char* foreignDraft =

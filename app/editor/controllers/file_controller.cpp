@@ -19,7 +19,7 @@ struct Asked {
 
 /// All that Session::openFile() knows: cloths, drafts, pictures to weave, environments, meshes, colours, lamps.
 std::vector<std::string> endingsThatOpen() {
-  return {".loomlight", ".json", ".wif", ".plm", ".dtx", ".png", ".exr", ".obj", ".ply", ".off",
+  return {".loomlight", ".json", ".wif", ".plm", ".dtx", ".twa", ".png", ".exr", ".obj", ".ply", ".off",
           ".ase",       ".aco",  ".gpl", ".csv", ".cxf", ".qtx", ".txt", ".spd", ".icc", ".icm"};
 }
 

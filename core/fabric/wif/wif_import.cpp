@@ -7,6 +7,7 @@
 #include "core/base/utf8.h"
 #include "core/fabric/model/check.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/wif/draft_archive.h"
 #include "core/fabric/wif/dtx_reader.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_reader.h"
@@ -29,6 +30,8 @@ std::string fitting(std::string text, const char* what, Warnings& warnings) {
 }  // namespace
 
 WifImport fabricFromWif(std::string_view bytes, const std::string& source, const Fabric& mine, WifSizeChoice sizes) {
+  std::string unpacked;
+  if (isDraftArchive(bytes)) bytes = unpacked = draftOfArchive(bytes, source);
   WifWarnings wifWarnings;
   WifDocument document = isDtx(bytes) ? readDtx(bytes, source, wifWarnings) : readWif(bytes, source, wifWarnings);
   WifImport import{mine, wifWarnings.list(), document.named};

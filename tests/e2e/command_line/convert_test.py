@@ -2,6 +2,7 @@
 
 import json
 import subprocess
+import zipfile
 
 from harness import SMALL, CommandLineTest, main, read_png, write_png
 
@@ -111,6 +112,14 @@ class Convert(CommandLineTest):
                                            "@@Threading\n1 2 1\n@@Tieup\n01\n10\n@@Treadling\n2 1\n@@EndDTX\n")
         self.run_program("convert", "a.dtx", "a.wif")
         self.assertIn(b"[TREADLING]\r\n1=2\r\n2=1\r\n", self.bytes_of("a.wif"))
+
+    def test_an_archive_of_tempoweave_is_read_as_the_draft_in_it(self):
+        self.run_program("convert", self.fabric(), "a.wif")
+        with zipfile.ZipFile(self.folder / "b.twa", "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("writeup.html", "<p>of another program</p>")
+            archive.write(self.folder / "a.wif", "twamain.waf")
+        self.run_program("convert", "b.twa", "b.wif")
+        self.assertEqual(self.bytes_of("a.wif"), self.bytes_of("b.wif"))
 
     def test_a_structure_by_its_name_takes_the_place_of_the_weave(self):
         self.run_program("convert", self.fabric(), "a.json", "--structure", "satin,5,2")

@@ -126,7 +126,7 @@ def a_text_is_read_as_what_it_is(editor):
     editor.wait_until("the draft is open", lambda: editor.fact("name") == "By mail")
     editor.click("wif.close")
     editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
-    for ending, said in (("abc", "a draft (.wif, .plm, .dtx)"), ("wpo", "as WIF in WeavePoint")):
+    for ending, said in (("abc", "a draft (.wif, .plm, .dtx, .twa)"), ("wpo", "as WIF in WeavePoint")):
         other = os.path.join(editor.home, f"draft.{ending}")
         os.rename(draft, other)
         draft = other

@@ -25,7 +25,7 @@ TEST(FileName, BothEndingsAreFabrics) {
 }
 
 TEST(FileName, WeavingFilesHaveSeveralEndings) {
-  for (const char* file : {"twill.wif", "TWILL.WIF", "twill.plm", "twill.dtx", "twill.wif.txt"})
+  for (const char* file : {"twill.wif", "TWILL.WIF", "twill.plm", "twill.dtx", "twill.twa", "twill.wif.txt"})
     EXPECT_TRUE(isWeavingFile(file)) << file;
   for (const char* file : {"twill.wpo", "plm", "twill.plm.png", "twill.json"})
     EXPECT_FALSE(isWeavingFile(file)) << file;
@@ -33,7 +33,6 @@ TEST(FileName, WeavingFilesHaveSeveralEndings) {
 
 TEST(FileName, TellsWhoseDraftsAreNotRead) {
   EXPECT_EQ(programOfForeignDraft("tea.towel.WPO"), "WeavePoint");
-  EXPECT_EQ(programOfForeignDraft("twill.twa"), "TempoWeave");
   for (const char* file : {"twill.wif", "wpo", "twill.wpo.txt"}) EXPECT_EQ(programOfForeignDraft(file), std::nullopt);
 }
 

@@ -1,0 +1,101 @@
+#include "core/fabric/wif/draft_archive.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <zip.h>
+
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/wif/wif_sections.h"
+#include "tests/unit/fabric/wif/wif_drafts.h"
+
+namespace loomlight {
+namespace {
+
+using testing::HasSubstr;
+
+using Entries = std::vector<std::pair<const char*, std::string>>;
+
+/// A ZIP archive of these names and contents, deflated.
+std::string archiveOf(const Entries& entries) {
+  zip_source_t* const made = zip_source_buffer_create(nullptr, 0, 0, nullptr);
+  zip_source_keep(made);  // it outlives the archive, which takes one of the two
+  zip_t* const archive = zip_open_from_source(made, ZIP_TRUNCATE, nullptr);
+  for (const auto& [name, content] : entries)
+    zip_file_add(archive, name, zip_source_buffer(archive, content.data(), content.size(), 0), 0);
+  EXPECT_EQ(zip_close(archive), 0);
+  zip_stat_t stat;
+  EXPECT_EQ(zip_source_open(made), 0);
+  EXPECT_EQ(zip_source_stat(made, &stat), 0);
+  std::string bytes(stat.size, '\0');
+  EXPECT_EQ(zip_source_read(made, bytes.data(), bytes.size()), static_cast<zip_int64_t>(bytes.size()));
+  zip_source_close(made);
+  zip_source_free(made);
+  return bytes;
+}
+
+const char* const kDraft = "twamain.waf";
+
+/// Of TempoWeave, by its own sections and by what else lies in the archive.
+std::string tempoWeaveFile() {
+  return archiveOf({{"writeup.html", "<p>A twill</p>"}, {kDraft, twillFile() + "\n[TW GENERAL]\nGauge=3\n"}});
+}
+
+std::string refusal(const std::string& bytes) {
+  try {
+    draftOfArchive(bytes, "x.twa");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(DraftArchive, IsReadAsTheDraftInIt) {
+  const std::string bytes = tempoWeaveFile();
+  ASSERT_TRUE(isDraftArchive(bytes));
+  EXPECT_FALSE(isDraftArchive(twillFile()));
+  const WifImport import = fabricFromWif(bytes, "x.twa", Fabric{}, WifSizeChoice::keep);
+  const WifImport plain = fabricFromWif(twillFile(), "x.twa", Fabric{}, WifSizeChoice::keep);
+  EXPECT_EQ(import.fabric.weave, plain.fabric.weave);
+  EXPECT_EQ(import.fabric.draft, plain.fabric.draft);
+}
+
+TEST(DraftArchive, WithoutADraftIsRefused) {
+  EXPECT_THAT(refusal(archiveOf({{"other.wif", twillFile()}})), HasSubstr("x.twa: expected an archive of TempoWeave"));
+  EXPECT_THAT(refusal(archiveOf({{"other.wif", twillFile()}})), HasSubstr("got one without twamain.waf"));
+  EXPECT_EQ(refusal(archiveOf({{"TWAMAIN.WAF", twillFile()}})), "read") << "a name as another system has written it";
+  EXPECT_THAT(refusal("PK\x03\x04 and then nothing"), HasSubstr("x.twa: expected an archive of TempoWeave (.twa): "));
+}
+
+TEST(DraftArchive, ThatBecomesTooLargeIsRefusedBeforeItIs) {
+  const std::string small = archiveOf({{kDraft, std::string(kMaxWifBytes + 1, ' ')}});
+  EXPECT_LT(small.size(), kMaxWifBytes / 100);
+  EXPECT_THAT(refusal(small), HasSubstr("twamain.waf: expected at most 32000000 bytes, got 32000001"));
+}
+
+TEST(DraftArchive, DamagedAnywhereIsRefusedOrTheSame) {
+  const std::string whole = tempoWeaveFile(), draft = draftOfArchive(whole, "x.twa");
+  int refused = 0;
+  for (size_t at = 0; at < whole.size(); ++at)
+    for (const int bit : {0, 3, 7}) {
+      std::string bytes = whole;
+      bytes[at] = static_cast<char>(bytes[at] ^ (1 << bit));
+      try {
+        EXPECT_EQ(draftOfArchive(bytes, "x.twa"), draft) << "bit " << bit << " of byte " << at;
+      } catch (const InputError&) {
+        ++refused;
+      }
+      try {
+        draftOfArchive(whole.substr(0, at), "x.twa");
+        ADD_FAILURE() << "cut off behind " << at << " bytes";
+      } catch (const InputError&) {
+      }
+    }
+  EXPECT_GT(refused, static_cast<int>(draft.size()) / 4) << "hardly any damage is seen";
+}
+
+}  // namespace
+}  // namespace loomlight
