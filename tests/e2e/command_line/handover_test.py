@@ -1,9 +1,12 @@
 """`handover`: a cloth in the formats of other programs."""
 
 import json
+import os
+import subprocess
+import sys
 import zipfile
 
-from harness import CommandLineTest, main, read_png
+from harness import HANGS_S, ROOT, CommandLineTest, main, read_png
 
 FEW = ("--size", "32", "--spp", "1", "--measure", "2", "--free-twist")
 
@@ -30,6 +33,17 @@ class Handover(CommandLineTest):
             self.assertEqual(archive.read("small_twill.u3m"), (folder / "small_twill.u3m").read_bytes())
         with self.subTest("heights of both sides are millimetres that add up to the thickness"):
             self.heights_add_up(sidecar)
+        with self.subTest("the public validators that are here find nothing wrong"):
+            self.validators_pass(folder)
+
+    def validators_pass(self, folder):
+        """Those that tests/handover/run asks; the schema of U3M is not in the tree, and may be named."""
+        schema = os.environ.get("LOOMLIGHT_U3M_SCHEMA")
+        done = subprocess.run([sys.executable, "-B", ROOT / "tests/handover/check_formats.py", folder, "small_twill",
+                               *([schema] if schema else [])], capture_output=True, text=True, timeout=HANGS_S)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        if schema:
+            self.assertIn("passed: small_twill.u3m by the schema of U3M", done.stdout)
 
     def heights_add_up(self, sidecar):
         """Those of front and back, mm, come to the thickness: of a run that is there already, as a fit takes long."""
