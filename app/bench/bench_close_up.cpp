@@ -106,7 +106,7 @@ bool benchCloseUp(const ReportBench& bench, const Task& task) {
   std::vector<std::vector<std::string>> rows;
   CloseUpFigures sums;
   double count = 0;
-  for (const char* file : {"denim_raw", "poplin", "gabardine", "taffeta"}) {
+  for (const char* file : {"taffeta", "poplin", "gabardine", "denim_raw"}) {
     if (bench.quick && count > 0) break;
     const auto figures = addCloseUp(page, file, bench, task, rows);
     if (!figures) return false;

@@ -100,7 +100,7 @@ std::vector<BenchCloth> accuracyCloths() {
 std::vector<BenchCloth> realCloths() {
   std::vector<BenchCloth> cloths;
   for (const auto& [name, file] :
-       {std::pair{"raw denim", "denim_raw"}, {"linen", "linen"}, {"tropical wool", "tropical_wool"}})
+       {std::pair{"linen", "linen"}, {"tropical wool", "tropical_wool"}, {"raw denim", "denim_raw"}})
     cloths.push_back({name, wardrobeFabric(file)});
   return cloths;
 }
