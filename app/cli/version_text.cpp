@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commit.h"
+#include "render/scene/processor_kind.h"
 #include "render/walk/walk_target.h"
 
 namespace loomlight {
@@ -36,9 +37,10 @@ std::string buildName() {
 std::string versionText() {
   // OpenMesh has no version that CMake could find.
   return fmt::format(
-      "loomlight {}\ncommit: {}\ncompiler: {}\ninstruction set: {}\nvectors: {}\nlibraries: {}, OpenMesh {}.{}\n",
-      LOOMLIGHT_VERSION, LOOMLIGHT_COMMIT, kCompiler, kInstructionSet, walkTarget(), LOOMLIGHT_LIBRARIES, OM_GET_VER,
-      OM_GET_MAJ);
+      "loomlight {}\ncommit: {}\ncompiler: {}\ninstruction set: {}\nvectors: {}\nkind of processor: {}\nlibraries: {}, "
+      "OpenMesh {}.{}\n",
+      LOOMLIGHT_VERSION, LOOMLIGHT_COMMIT, kCompiler, kInstructionSet, walkTarget(), processorKind(),
+      LOOMLIGHT_LIBRARIES, OM_GET_VER, OM_GET_MAJ);
 }
 
 }  // namespace loomlight

@@ -37,6 +37,7 @@ void expectFinished(const PicturePart& part, const std::string& file) {
 MergePlan planMerge(std::span<const std::string> files) {
   MergePlan plan;
   std::vector<size_t> fileOf;  // the place in the list of the file that each box is of
+  size_t showsProcessor = 0;   // the place of the first file that does, as far as there is one
   for (size_t i = 0; i < files.size(); ++i) {
     PartInfo info = readPartInfo(files[i]);
     if (info.origin.program.empty())
@@ -47,6 +48,11 @@ MergePlan planMerge(std::span<const std::string> files) {
     }
     expectSameFabric(plan.info.fabric, files[0], info.fabric, files[i]);
     expectSameOrigin(plan.info.origin, files[0], info.origin, files[i]);
+    if (plan.info.origin.processor.empty()) {
+      plan.info.origin.processor = info.origin.processor;
+      showsProcessor = i;
+    }
+    expectSameProcessor(plan.info.origin, files[showsProcessor], info.origin, files[i]);
     int& samples = plan.info.fabric.render.samplesPerPixel;
     samples = std::max(samples, info.fabric.render.samplesPerPixel);
     plan.info.boxes.insert(plan.info.boxes.end(), info.boxes.begin(), info.boxes.end());

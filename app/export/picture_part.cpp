@@ -27,12 +27,13 @@ using nlohmann::json;
 constexpr const char* kPartKey = "loomlight.part";
 constexpr size_t kMaxFileBytes = size_t{1} << 32;
 
-constexpr std::array<std::pair<const char*, std::string SampleOrigin::*>, 5> kOriginKeys{
+constexpr std::array<std::pair<const char*, std::string SampleOrigin::*>, 6> kOriginKeys{
     {{"program", &SampleOrigin::program},
      {"fibres", &SampleOrigin::fibres},
      {"mesh", &SampleOrigin::mesh},
      {"environment", &SampleOrigin::environment},
-     {"lamp", &SampleOrigin::lamp}}};
+     {"lamp", &SampleOrigin::lamp},
+     {"processor", &SampleOrigin::processor}}};
 
 std::string digestOf(const std::string& file) {
   return fmt::format("{:016x}", checksum(readFile(file, kMaxFileBytes)));
@@ -45,6 +46,14 @@ std::string partText(const PartInfo& info) {
   for (const SampleBox& box : info.boxes)
     text["boxes"].push_back({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z});
   return text.dump();
+}
+
+/// A text that messages may show; empty where there is none.
+std::string lineOf(const json& texts, const char* key) {
+  std::string line = texts.value(key, "");
+  const auto shows = [](char c) { return c >= 0x20 && c < 0x7F; };
+  if (!std::all_of(line.begin(), line.end(), shows)) throw std::out_of_range("a text that no terminal shows");
+  return line;
 }
 
 std::vector<SampleBox> boxesOf(const json& lists, const RenderSettings& settings) {
@@ -74,7 +83,7 @@ PartInfo infoOf(const std::map<std::string, std::string>& texts, const std::stri
   }
   try {
     const json text = json::parse(found->second);
-    for (const auto& [key, member] : kOriginKeys) info.origin.*member = text.value(key, "");
+    for (const auto& [key, member] : kOriginKeys) info.origin.*member = lineOf(text, key);
     info.boxes = boxesOf(text.at("boxes"), settings);
   } catch (const std::exception&) {
     throw InputError(
@@ -98,14 +107,26 @@ json comparable(Fabric fabric) {
   return json::parse(fabricToJson(fabric));
 }
 
+[[noreturn]] void failOf(const char* what, const std::string& wanted, const std::string& wantedFile,
+                         const std::string& other, const std::string& otherFile) {
+  const auto orNone = [](const std::string& text) { return text.empty() ? "none" : text; };
+  throw InputError(fmt::format("{}: expected samples of the same {} as {}, but here they are of {} and there of {}",
+                               otherFile, what, wantedFile, orNone(other), orNone(wanted)));
+}
+
 }  // namespace
 
 SampleOrigin originOf(const Fabric& fabric, const std::string& program, const std::string& fibres) {
-  SampleOrigin origin{program, fibres, "", "", ""};
+  SampleOrigin origin{program, fibres, "", "", "", ""};
   if (fabric.drape.kind == DrapeKind::mesh) origin.mesh = digestOf(fabric.drape.file);
   if (fabric.light.kind == LightKind::environment) origin.environment = digestOf(fabric.light.file);
   if (fabric.light.illuminant == StandardIlluminant::file) origin.lamp = digestOf(fabric.light.illuminantFile);
   return origin;
+}
+
+std::string withKind(const std::string& before, const std::string& added) {
+  if (before.empty() || before == added) return added;
+  return added.empty() ? before : kSeveralKinds;
 }
 
 void writePart(const std::string& file, const Film& film, const PartInfo& info) {
@@ -149,15 +170,23 @@ void expectSameFabric(const Fabric& wanted, const std::string& wantedFile, const
 void expectSameOrigin(const SampleOrigin& wanted, const std::string& wantedFile, const SampleOrigin& other,
                       const std::string& otherFile) {
   const auto expectSame = [&](const std::string& a, const std::string& b, const char* what) {
-    if (a == b) return;
-    throw InputError(fmt::format("{}: expected samples of the same {} as {}, but here they are of {} and there of {}",
-                                 otherFile, what, wantedFile, b.empty() ? "none" : b, a.empty() ? "none" : a));
+    if (a != b) failOf(what, a, wantedFile, b, otherFile);
   };
   expectSame(wanted.program, other.program, "program");
   expectSame(wanted.fibres, other.fibres, "fibres");
   expectSame(wanted.mesh, other.mesh, "mesh");
   expectSame(wanted.environment, other.environment, "environment");
   expectSame(wanted.lamp, other.lamp, "spectrum of the lamps");
+}
+
+void expectSameProcessor(const SampleOrigin& wanted, const std::string& wantedFile, const SampleOrigin& other,
+                         const std::string& otherFile) {
+  if (other.processor == kSeveralKinds)
+    throw InputError(fmt::format(
+        "{}: expected samples of one kind of processor, but one kind began them and another went on", otherFile));
+  const bool anyWillDo = wanted.processor.empty() || other.processor.empty();
+  if (!anyWillDo && wanted.processor != other.processor)
+    failOf("kind of processor", wanted.processor, wantedFile, other.processor, otherFile);
 }
 
 }  // namespace loomlight

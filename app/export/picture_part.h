@@ -9,6 +9,9 @@
 
 namespace loomlight {
 
+/// What a picture says that a processor of one kind began, and one of another went on with.
+inline constexpr const char* kSeveralKinds = "several";
+
 /// What the samples of a picture depend on beside its fabric and settings. Empty where there is none, or none was said.
 struct SampleOrigin {
   std::string program;      ///< the build that traced them
@@ -16,6 +19,9 @@ struct SampleOrigin {
   std::string mesh;         ///< a digest of the drape's file
   std::string environment;  ///< a digest of the light's file
   std::string lamp;         ///< a digest of the file with its lamps' spectrum
+  /// The kind of processor that shows in their last bits: of the rays among single fibres (processorKind()), or of the
+  /// report's tables of visibility. Empty where every processor traces the same; kSeveralKinds.
+  std::string processor;
   bool operator==(const SampleOrigin&) const = default;
 };
 
@@ -39,6 +45,9 @@ inline constexpr size_t kMaxSampleBoxes = 16384;
 /// The program and the files of a fabric. Throws InputError where one cannot be read.
 SampleOrigin originOf(const Fabric& fabric, const std::string& program, const std::string& fibres);
 
+/// SampleOrigin::processor of a picture to which samples are added.
+std::string withKind(const std::string& before, const std::string& added);
+
 /// Writes the exact sums of what the boxes hold of a picture: an .exr with the same layers as writePicture() gives it,
 /// whose data window is that of the boxes in the whole picture; whole, or the old one is still there. `film` is of the
 /// whole picture. Throws InputError when it cannot be written.
@@ -56,5 +65,8 @@ void expectSameFabric(const Fabric& wanted, const std::string& wantedFile, const
 /// Likewise, unless they are by the same program, of the same fibres, and of files with the same content.
 void expectSameOrigin(const SampleOrigin& wanted, const std::string& wantedFile, const SampleOrigin& other,
                       const std::string& otherFile);
+/// Likewise, where `other` shows several kinds of processors, or both show one and these differ.
+void expectSameProcessor(const SampleOrigin& wanted, const std::string& wantedFile, const SampleOrigin& other,
+                         const std::string& otherFile);
 
 }  // namespace loomlight

@@ -1,5 +1,6 @@
 #include "render/transport/make_medium.h"
 
+#include "core/base/checksum.h"
 #include "core/base/stopwatch.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/media/close_up_medium.h"
@@ -20,10 +21,20 @@ std::unique_ptr<const Medium> makeFibres(const Scene& scene, const FibreOptions&
   return fibres;
 }
 
+uint64_t checksumOf(const BvdfSet& set) {
+  uint64_t sum = 0;
+  for (const Bvdf& table : set.tables) {
+    const auto ratios = table.ratios();
+    sum = hashCombine(sum, checksum({reinterpret_cast<const char*>(ratios.data()), ratios.size_bytes()}));
+  }
+  return sum;
+}
+
 std::unique_ptr<const Medium> makeReport(const Scene& scene, const Task& task, MediumCost& cost) {
   auto bvdf = bakeBvdf(*scene.fabric, BvdfOptions{}, BvdfCache(BvdfCache::userFolder()), task);
   if (!bvdf) return nullptr;
   cost.bvdfBytes = bvdf->bytes();
+  cost.bvdfChecksum = checksumOf(*bvdf);
   return std::make_unique<const ReportMedium>(scene.cloth, std::move(bvdf));
 }
 

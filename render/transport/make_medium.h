@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "core/base/task.h"
@@ -16,7 +17,8 @@ struct MediumCost {
   size_t geometryBytes = 0;
   size_t acceleratorBytes = 0;
   double fibreSeconds = 0;
-  size_t bvdfBytes = 0;  ///< of local visibility, baked or out of the user's cache
+  size_t bvdfBytes = 0;       ///< of local visibility, baked or out of the user's cache
+  uint64_t bvdfChecksum = 0;  ///< of what is in it: processors of another kind bake another one
   double bvdfSeconds = 0;
 };
 

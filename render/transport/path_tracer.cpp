@@ -72,6 +72,7 @@ TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
   paths += other.paths;
   events += other.events;
   rays += other.rays;
+  amongFibres += other.amongFibres;
   steps += other.steps;
   return *this;
 }

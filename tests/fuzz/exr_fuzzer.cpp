@@ -1,3 +1,4 @@
+#include "app/export/picture_part.h"
 #include "render/film/image.h"
 #include "tests/fuzz/finding.h"
 #include "tests/fuzz/fuzzers.h"
@@ -14,6 +15,7 @@ void fuzzExr(std::string_view bytes) {
   if (!isRead(name, [&] { extent = readExrExtent(name); })) return;
   expect(extent.width > 0 && extent.height > 0, "a picture without pixels");
   isRead(name, [&] { readExrTexts(name); });
+  isRead(name, [&] { readPartInfo(name); });
   if (int64_t{extent.width} * extent.height * extent.channels > kMostValues) return;
   isRead(name, [&] {
     const Image image = readExr(name);

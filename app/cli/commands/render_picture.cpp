@@ -17,6 +17,7 @@
 #include "core/base/text.h"
 #include "core/fabric/model/validate.h"
 #include "render/scene/fibre_extent.h"
+#include "render/scene/processor_kind.h"
 #include "render/transport/path_tracer.h"
 
 namespace loomlight {
@@ -168,6 +169,13 @@ bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& opti
   return true;
 }
 
+/// The kind of processor that shows in what was traced; empty where none does. Tables of visibility may be from a
+/// folder that others share.
+std::string processorOf(const MediumCost& medium, const TraceCounts& counts) {
+  if (medium.bvdfBytes > 0) return fmt::format("{:016x}", medium.bvdfChecksum);
+  return counts.amongFibres > 0 ? processorKind() : "";
+}
+
 /// Of what there is and of what is added. Throws unless these are of the same files and fibres, whoever traced them; a
 /// picture by a program that did not say is taken at its word.
 SampleOrigin originWith(const SampleOrigin& before, const std::string& resumed, const Fabric& fabric,
@@ -234,8 +242,8 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
     fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
     return Interrupt::kExitStatus;
   }
-  const SampleOrigin origin = originWith(picture.origin, command.resume, *picture.fabric,
-                                         fibresLaid(*built.scene, fibres), inputOf(command, job));
+  SampleOrigin origin = originWith(picture.origin, command.resume, *picture.fabric, fibresLaid(*built.scene, fibres),
+                                   inputOf(command, job));
   const PixelRect window = picture.box.window();
   const int wanted = picture.box.high.z - picture.box.low.z;
   fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", window.width, window.height,
@@ -244,6 +252,7 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
   Stopwatch watch;
   const bool complete = trace(built, picture, task, command.progress, counts);
   const double render_s = watch.lap();
+  origin.processor = withKind(picture.origin.processor, processorOf(built.cost, counts));
 
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
   write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(), origin);

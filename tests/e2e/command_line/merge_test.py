@@ -1,5 +1,6 @@
 """What is rendered in parts, by ranges of samples and windows of pixels, is put together to the bytes of one run."""
 
+import os
 import re
 import signal
 
@@ -13,12 +14,12 @@ class Merge(CommandLineTest):
         self.scene = {"drape": drape, "light": {"kind": "sky"}}
         self.cloth = self.fabric(**self.scene)
 
-    def render(self, output, *options, cloth=None, spp=7):
-        self.run_program("render", cloth or self.cloth, "-o", output, "--spp", spp, *options)
+    def render(self, output, *options, cloth=None, spp=7, **more):
+        self.run_program("render", cloth or self.cloth, "-o", output, "--spp", spp, *options, **more)
         return self.bytes_of(output)
 
-    def part(self, output, first, samples, *options):
-        self.render(output, "--samples-from", first, "--samples", samples, *options)
+    def part(self, output, first, samples, *options, **more):
+        self.render(output, "--samples-from", first, "--samples", samples, *options, **more)
         return output
 
     def refused(self, *parts):
@@ -125,6 +126,47 @@ class Merge(CommandLineTest):
         message = self.refused("a.exr", "b.exr")
         for word in ("a.exr", "b.exr", "the same program", said.decode(), another.decode()):
             self.assertIn(word, message)
+
+    def of_another_processor(self, part):
+        """Has a part say that a processor of another kind made it; returns the two kinds."""
+        kind = re.search(rb'"processor":"([0-9a-f]{16})"', self.bytes_of(part))[1]
+        another = kind[::-1] if kind != kind[::-1] else b"0" * 16
+        (self.folder / part).write_bytes(self.bytes_of(part).replace(kind, another))
+        return kind.decode(), another.decode()
+
+    def test_single_fibres_are_of_one_kind_of_processor(self):
+        near = self.fabric("near.json", camera={"distance_mm": 0.7})
+        for cloth, options in ((None, ("--method", "fibres")), (near, ())):
+            with self.subTest(options):
+                self.part("a.exr", 0, 4, *options, cloth=cloth)
+                self.part("b.exr", 4, 3, *options, cloth=cloth)
+                self.run_program("merge", "a.exr", "b.exr", "-o", "merged.exr")
+                self.assertEqual(self.bytes_of("merged.exr"), self.render("whole.exr", *options, cloth=cloth))
+                kinds = self.of_another_processor("b.exr")
+                message = self.refused("a.exr", "b.exr")
+                for word in ("a.exr", "b.exr", "kind of processor", *kinds):
+                    self.assertIn(word, message)
+
+    def test_tables_of_visibility_are_of_one_kind_of_processor(self):
+        options, own = ("--estimator", "report"), {"env": {**os.environ, "XDG_CACHE_HOME": str(self.folder)}}
+        self.part("a.exr", 0, 4, *options, **own)
+        self.part("b.exr", 4, 3, *options, **own)
+        self.run_program("merge", "a.exr", "b.exr", "-o", "merged.exr")
+        self.of_another_processor("b.exr")
+        self.assertIn("kind of processor", self.refused("a.exr", "b.exr"))
+
+    def test_the_volume_is_of_any_processor(self):
+        self.part("a.exr", 0, 4)
+        self.assertIsNone(re.search(b'"processor"', self.bytes_of("a.exr")))
+
+    def test_what_one_kind_of_processor_began_and_another_went_on_with_is_refused(self):
+        self.part("a.exr", 0, 2, "--method", "fibres")
+        self.run_program("render", "--resume", "a.exr", "-o", "same.exr", "--samples", 4)
+        self.part("b.exr", 4, 3, "--method", "fibres")
+        self.run_program("merge", "same.exr", "b.exr", "-o", "merged.exr")
+        self.of_another_processor("a.exr")
+        self.run_program("render", "--resume", "a.exr", "-o", "both.exr", "--samples", 4)
+        self.assertIn("both.exr: expected samples of one kind of processor", self.refused("b.exr", "both.exr"))
 
     def test_other_fibres_are_another_picture(self):
         fibres = ("--method", "fibres", "--drape", "flat", "--fibres-extent")

@@ -3,8 +3,9 @@
 The dynamic loader and the program ask glibc what the processor has, and glibc can be told to deny a part of it
 (GLIBC_TUNABLES), so that this shows on every machine. What only looks the same, an illegal instruction on the way to that
 line, shows on an emulated processor, where there is one (package qemu-user-static). So does that pictures are the same
-bytes on processors that round otherwise where they may, as in their estimates of 1 / x. That packages, which have
-libraries for both kinds, render the same bytes by each is for tests/package_room."""
+bytes on processors that round otherwise where they may, as in their estimates of 1 / x; and single fibres, which are not,
+are told apart. That packages, which have libraries for both kinds, render the same bytes by each is for
+tests/package_room."""
 
 import os
 import platform
@@ -36,6 +37,13 @@ class Processor(CommandLineTest):
             self.assertIn("LOOMLIGHT_LEVEL", line)
         self.assertRegex(line, r"^loomlight: this processor lacks AVX2[^\n]*\n$")
 
+    def another_maker_s(self):
+        """The words before a command by which it runs on an emulated processor, whose estimates are no maker's."""
+        another = (EMULATOR, "-cpu", "Nehalem" if self.level() == "x86-64" else "Haswell")
+        if subprocess.run([*another, LOOMLIGHT, "--version"], capture_output=True).returncode != 0:
+            self.skipTest("the emulator has no AVX2")
+        return another
+
     def test_without_avx2(self):
         self.expect_line(env=WITHOUT_AVX2)
 
@@ -47,15 +55,22 @@ class Processor(CommandLineTest):
     @unittest.skipUnless(EMULATOR, "no emulator of processors is installed (package qemu-user-static)")
     @unittest.skipIf(SANITIZED, "sanitizers ask for more memory than the emulator gives")
     def test_another_maker_s_processor_renders_the_same_bytes(self):
-        another = (EMULATOR, "-cpu", "Nehalem" if self.level() == "x86-64" else "Haswell")
-        if subprocess.run([*another, LOOMLIGHT, "--version"], capture_output=True).returncode != 0:
-            self.skipTest("the emulator has no AVX2")
+        another = self.another_maker_s()
         fabric = self.fabric()
         for words in ("--drape flat", "--drape cylinder --size 96x64", "--drape folds --size 96x64"):
             with self.subTest(words):
                 self.run_program("render", fabric, *words.split(), "-o", "here.exr")
                 self.run_program("render", fabric, *words.split(), "-o", "another.exr", before=another)
                 self.assertEqual(self.bytes_of("another.exr"), self.bytes_of("here.exr"))
+
+    @unittest.skipUnless(EMULATOR, "no emulator of processors is installed (package qemu-user-static)")
+    @unittest.skipIf(SANITIZED, "sanitizers ask for more memory than the emulator gives")
+    def test_another_maker_s_processor_is_of_another_kind_and_its_fibres_are_not_merged_with_ours(self):
+        self.run_program("render", self.fabric(), "--method", "fibres", "--samples", 2, "-o", "here.exr")
+        self.run_program("render", self.fabric(), "--method", "fibres", "--samples-from", 2, "-o", "another.exr",
+                         before=self.another_maker_s())
+        message = self.run_program("merge", "here.exr", "another.exr", "-o", "refused.exr", status=1)
+        self.assertIn("another.exr: expected samples of the same kind of processor as here.exr", message)
 
     def test_with_avx2_nothing_is_said(self):
         if self.level() == "x86-64-v3":

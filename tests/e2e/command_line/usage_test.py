@@ -50,12 +50,14 @@ class Usage(CommandLineTest):
         lines = self.run_program("--version").splitlines()
         self.assertRegex(lines[0], r"^loomlight \d+\.\d+\.\d+$")
         facts = dict(line.split(": ", 1) for line in lines[1:])
-        self.assertEqual(list(facts), ["commit", "compiler", "instruction set", "vectors", "libraries"])
+        said = ["commit", "compiler", "instruction set", "vectors", "kind of processor", "libraries"]
+        self.assertEqual(list(facts), said)
         self.assertRegex(facts["commit"], r"^([0-9a-f]{7,40}(-dirty)?|unknown)$")
         self.assertRegex(facts["compiler"], r"^(GCC|Clang) \d+\.\d+")
         self.assertRegex(facts["instruction set"], r"^(x86-64|AArch64)")
         # Found out on this processor: never less than what the build needs.
         self.assertRegex(facts["vectors"], r"^AVX[23]" if "AVX2" in facts["instruction set"] else r"^[A-Z0-9_]+$")
+        self.assertRegex(facts["kind of processor"], r"^[0-9a-f]{16}$")
         libraries = facts["libraries"].split(", ")
         for library in libraries:
             self.assertRegex(library, r"^\S.* \d+\.\d+[.\d]*$")

@@ -165,6 +165,21 @@ TEST(RestrictedZip, ChecksumsAreThoseOfZip) {
   EXPECT_EQ(number(zip, 14, 4), 0xCBF43926u);  // the check value of CRC-32
 }
 
+/// side_maps_test.cpp is about which way these normals lean.
+TEST_F(HandedOver, TheNormalMapsHaveTheNormalsWithYUp) {
+  for (const ClothSide which : {ClothSide::front, ClothSide::back}) {
+    const char* name = which == ClothSide::front ? "two_sides_NRM.png" : "two_sides_back_NRM.png";
+    const Pixels8 picture = readPng((folder->path() / "textures" / name).string());
+    ASSERT_EQ(picture.channels, 3);
+    ASSERT_GT(cloth->of(which).fit.normalStrength, 0);
+    for (size_t i = 0; i < picture.bytes.size(); ++i) {
+      const glm::vec3 normal = sidePixel(cloth->of(which), i / 3).normal;
+      ASSERT_NEAR(picture.bytes[i] / 255.0, 0.5 * normal[static_cast<int>(i % 3)] + 0.5, 0.51 / 255)
+          << name << ", " << i;
+    }
+  }
+}
+
 TEST_F(HandedOver, TheGlbIsWholeAndAtTrueSize) {
   for (const char* file : {"two_sides.glb", "two_sides_back.glb"}) {
     const std::string glb = read(file);

@@ -89,6 +89,28 @@ TEST_F(BothSides, HeightsRiseTowardsTheEyeOfEitherSide) {
   }
 }
 
+/// The slopes of the normals are differences of the pixels on both sides, smoothed across (Sobel), which multiplies
+/// each wave of the heights by (1 + cos) / 2. That is nowhere below 0, so neither is the sum over the tile of their
+/// products with the plain differences; where yarns rise and fall it is above. Normals lean the other way than slopes
+/// rise.
+TEST_F(BothSides, NormalsLeanAwayFromHigherGroundToTheRightAndUpThePicture) {
+  for (const SideMaps* side : {&sides().front, &sides().back}) {
+    const TileMaps& map = side->tile;
+    const auto height = [&](int x, int y) {  // the tile goes on beyond its edges
+      return map.height_mm[pixel((x + map.width) % map.width, (y + map.height) % map.height)];
+    };
+    double right = 0, up = 0;
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+        const glm::vec3 normal = map.normal[pixel(x, y)];
+        right += normal.x / normal.z * (height(x + 1, y) - height(x - 1, y));
+        up += normal.y / normal.z * (height(x, y - 1) - height(x, y + 1));
+      }
+    EXPECT_LT(right, 0);
+    EXPECT_LT(up, 0);
+  }
+}
+
 TEST_F(BothSides, FibresLieAlongTheirYarnsMirroredOnTheBack) {
   double flatness[2] = {0, 0};  // along x, of warp and weft
   int pixels[2] = {0, 0};

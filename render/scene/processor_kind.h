@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace loomlight {
+
+/// Which kind of processor this is, as far as single fibres show it: processors of one kind meet them at the same
+/// points to the last bit. 16 hexadecimal digits, found within milliseconds. Throws as EmbreeDevice does.
+std::string processorKind();
+
+}  // namespace loomlight
