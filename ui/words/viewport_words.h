@@ -57,6 +57,7 @@ inline constexpr const char* starting = "fibres, starting";
 inline constexpr const char* seen = "fibres{}, {}";
 inline constexpr const char* ofOneRepeat = " of one repeat";
 inline constexpr const char* differenceWaiting = "difference, waiting for samples";
+inline constexpr const char* differenceOfOne = "difference: not known of one sample a pixel";
 inline constexpr const char* differenceSeen = "difference \xC3\x97{:g}, mean {} \xC2\xB1 {:.1f} %";
 inline constexpr const char* thousand = "{:.0f} thousand";
 inline constexpr const char* million = "{:.1f} million";

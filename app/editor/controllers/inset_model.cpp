@@ -33,10 +33,12 @@ std::string signedText(double value) {
   return (value < 0 ? "\xE2\x88\x92" : "+") + digits;
 }
 
-void describeDifference(const Difference* found, InsetModel& model) {
+/// `isLast`: no samples are to come.
+void describeDifference(const InsetFrame& shown, bool isLast, InsetModel& model) {
   constexpr int kSteps = 32;
+  const Difference* const found = shown.difference.get();
   if (!found) {
-    model.caption = words::lens::differenceWaiting;
+    model.caption = isLast && shown.fibres->samples < 2 ? words::lens::differenceOfOne : words::lens::differenceWaiting;
     return;
   }
   model.caption = fmt::format(words::lens::differenceSeen, Difference::kGain, signedText(found->mean_percent),
@@ -95,7 +97,7 @@ InsetModel insetModel(const InsetStatus& status, const InsetFrame* shown, bool d
       if (!shown) {
         model.caption = words::lens::starting;
       } else if (difference) {
-        describeDifference(shown->difference.get(), model);
+        describeDifference(*shown, status.phase == Phase::converged, model);
       } else {
         const int samples = shown->fibres->samples;
         model.caption =

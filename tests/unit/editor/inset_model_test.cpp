@@ -56,6 +56,13 @@ TEST(InsetModel, CaptionsWhatIsSeen) {
   InsetFrame frame = frameWith(12);
   EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres, 12 samples");
   EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples");
+  status.phase = Phase::converged;
+  EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples")
+      << "of the picture, which the lens is ahead of";
+  frame = frameWith(1);
+  EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference: not known of one sample a pixel");
+  status.phase = Phase::tracing;
+  EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples");
   auto difference = std::make_shared<Difference>();
   difference->mean_percent = 1.26;
   difference->error_percent = 0.24;
