@@ -59,10 +59,10 @@ TEST(InsetModel, CaptionsWhatIsSeen) {
   status.phase = Phase::converged;
   EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples")
       << "of the picture, which the lens is ahead of";
-  frame = frameWith(1);
-  EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference: not known of one sample a pixel");
+  const InsetFrame ofOne = frameWith(1);
+  EXPECT_EQ(insetModel(status, &ofOne, true, 8e9, flat(20, 20)).caption, "difference: not known of one sample a pixel");
   status.phase = Phase::tracing;
-  EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples");
+  EXPECT_EQ(insetModel(status, &ofOne, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples");
   auto difference = std::make_shared<Difference>();
   difference->mean_percent = 1.26;
   difference->error_percent = 0.24;
