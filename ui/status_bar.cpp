@@ -46,7 +46,7 @@ void statusBar(Ui& ui, const StatusModel& model) {
   float end = x;  // of what is said of the cloth
   const auto clothFigure = [&](const char* id, float place, const std::string& text, const char* tooltip) {
     const float from = x + ui.px(place);
-    if (model.figuresKnown && from + ImGui::CalcTextSize(text.c_str()).x < right)
+    if (model.figuresKnown && !model.isUrgent && from + ImGui::CalcTextSize(text.c_str()).x < right)
       end = figure(ui, id, from, text, tooltip, quiet);
   };
   clothFigure("status.mass", 0, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2), words::status::massHelp);
@@ -55,7 +55,7 @@ void statusBar(Ui& ui, const StatusModel& model) {
               words::thickness.help);
   clothFigure("status.float", 304, floatsText(model), words::status::floatHelp);
   const std::string more = model.moreWarnings > 0 ? fmt::format("  (+{})", model.moreWarnings) : std::string();
-  const float left = std::max(x + ui.px(520), end + ui.px(16));
+  const float left = model.isUrgent ? x : std::max(x + ui.px(520), end + ui.px(16));
   const float room = right - left - ImGui::CalcTextSize(more.c_str()).x;
   if (!model.warning.empty() && room > ui.px(40))
     figure(ui, "status.warning", left, shortened(model.warning, room) + more, model.warning.c_str(), ui.theme.warning);

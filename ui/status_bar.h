@@ -19,6 +19,7 @@ struct StatusModel {
   double thickness_mm = 0;
   std::string warning;  ///< the most important one about the cloth; empty when all is well
   int moreWarnings = 0;
+  bool isUrgent = false;  ///< the warning is of what is not safe: figures give way to it, however narrow the window
   int samples = 0;
   double seconds = 0;
   std::string work;        ///< what the workers do: "tracing", "building 40 %", "converged"

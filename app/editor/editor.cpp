@@ -2,10 +2,12 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 #include "app/editor/controllers/first_opening.h"
@@ -18,6 +20,8 @@
 #include "app/editor/session.h"
 #include "app/editor/widget_dump.h"
 #include "app/export/file_name.h"
+#include "core/base/error.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace {
@@ -139,7 +143,11 @@ int runEditor(const EditorOptions& options) {
   Settings last = session.settingsToKeep();
   last.windowWidth = static_cast<int>(window.sizeInWindow().x);
   last.windowHeight = static_cast<int>(window.sizeInWindow().y);
-  writeSettings(settingsFile(), last);
+  try {
+    writeSettings(settingsFile(), last);
+  } catch (const InputError& error) {  // no reason to hold up the end of a session whose work is saved
+    fmt::print(stderr, words::errors::settingsNotKept, error.what());
+  }
   return 0;
 }
 

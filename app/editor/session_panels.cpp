@@ -204,6 +204,7 @@ StatusModel Session::statusToSay() const {
     if (problem.empty()) return;
     model.warning = about + problem;
     model.moreWarnings = 0;
+    model.isUrgent = true;
   };
   insist(words::status::figuresUnknown, seen.insightProblem());
   insist(words::status::viewNotKept, snapshots_.problem());

@@ -10,6 +10,7 @@ inline constexpr const char* noReason = "no reason was given";
 inline constexpr const char* shader = "display shader: {}";
 inline constexpr const char* font = "the built-in font cannot be read";
 
+inline constexpr const char* settingsNotKept = "loomlight: the settings of this session are not kept: {}\n";
 inline constexpr const char* folderNotMade = "{}: the folder could not be made: {}";
 inline constexpr const char* noView = "{}: expected a kept view, found no fabric in it";
 inline constexpr const char* noFlatView = "{}: expected a piece of flat cloth that is looked at, got: {}";

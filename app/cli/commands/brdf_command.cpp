@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "app/cli/half_dome_picture.h"
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/usage_error.h"
+#include "app/export/file_set.h"
 #include "app/export/picture.h"
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
@@ -62,9 +65,13 @@ int run(const BrdfCommand& command) {
   if (!measure) return Interrupt::kExitStatus;
 
   const double unit = paperRadiance(fabric->light);
-  writeExr(stem + ".exr", halfDomeImage(*measure, unit));
-  writePng(stem + ".png", halfDomePicture(*measure, unit, command.tone));
-  writeFileAtomically(stem + ".csv", halfDomeCsv(*measure, unit));
+  const std::filesystem::path path(stem);
+  const std::string name = path.filename().string();
+  FileSet set(path.parent_path().string(), name);
+  writeExr(set.add(name + ".exr"), halfDomeImage(*measure, unit));
+  writePng(set.add(name + ".png"), halfDomePicture(*measure, unit, command.tone));
+  writeFileAtomically(set.add(name + ".csv"), halfDomeCsv(*measure, unit));
+  set.place();
   fmt::print("{0}.exr, {0}.png, {0}.csv: {1} x {2} cameras, {3} paths each, {4}\n", stem, command.grid.azimuths,
              command.grid.inclinations, measure->counts.paths / command.grid.size(), durationText(whole.lap()));
   return 0;

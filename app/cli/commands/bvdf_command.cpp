@@ -7,6 +7,7 @@
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/export/file_set.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/parallel.h"
@@ -46,18 +47,28 @@ std::map<std::string, std::string> metadata(const Fabric& fabric, const std::vec
           {"bvdf.fabric", fabricToJson(fabric)}};
 }
 
+/// Of tables it lies beside them.
+std::filesystem::path pictureOf(const std::string& output) {
+  std::filesystem::path picture = output;
+  if (lowerExtension(output) == ".exr") picture.replace_extension(".png");
+  return picture;
+}
+
 /// False when stopped, and then nothing is written.
 bool write(const std::string& output, const Fabric& fabric, const BvdfSet& set, const Task& task) {
-  std::filesystem::path picture = output;
-  if (lowerExtension(output) == ".exr") {
-    const auto names = yarnNames(fabric, task);
-    if (!names) return false;
-    Image table = bvdfImage(set);
-    table.metadata = metadata(fabric, *names, set);
-    writeExr(output, table);
-    picture.replace_extension(".png");
+  const std::filesystem::path tables = output, picture = pictureOf(output);
+  if (tables == picture) {
+    writePng(output, bvdfPicture(set));
+    return true;
   }
-  writePng(picture.string(), bvdfPicture(set));
+  const auto names = yarnNames(fabric, task);
+  if (!names) return false;
+  Image table = bvdfImage(set);
+  table.metadata = metadata(fabric, *names, set);
+  FileSet files(tables.parent_path().string(), tables.stem().string());
+  writeExr(files.add(tables.filename().string()), table);
+  writePng(files.add(picture.filename().string()), bvdfPicture(set));
+  files.place();
   return true;
 }
 
@@ -68,7 +79,7 @@ int run(const BvdfCommand& command) {
   const std::string extension = lowerExtension(command.output);
   if (extension != ".exr" && extension != ".png")
     throw InputError(fmt::format("{}: expected the name of tables (.exr) or of their picture (.png)", command.output));
-  expectWritable(command.output);
+  for (const std::string& file : {command.output, pictureOf(command.output).string()}) expectWritable(file);
   const Interrupt interrupt;
   const Fabric fabric = withOptions(fabricFrom(command.input), command.options);
   validate(fabric, command.input.file);

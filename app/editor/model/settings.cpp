@@ -206,15 +206,11 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"folder", settings.folder},
                                {"recent", recent},
                                {"hints_seen", settings.hintsSeen}};
-  try {
-    // The name of a folder may be no UTF-8, which is no reason to lose the rest.
-    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
-    std::error_code ignored;
-    std::filesystem::create_directories(file.parent_path(), ignored);
-    writeFileAtomically(file.string(), text + "\n");
-  } catch (const InputError&) {
-    return;
-  }
+  // The name of a folder may be no UTF-8, which is no reason to lose the rest.
+  const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::error_code ignored;  // where the folder cannot be made, writing says so
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  writeFileAtomically(file.string(), text + "\n");
 }
 
 }  // namespace loomlight

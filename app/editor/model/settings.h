@@ -55,7 +55,7 @@ struct Settings {
 
 /// A file that is missing or makes no sense gives the defaults: losing them costs a drag of a splitter.
 Settings readSettings(const std::filesystem::path& file);
-/// Tries to; a failure is no reason to hold up the end of a session.
+/// Throws InputError where they cannot be written; the old ones are still there then.
 void writeSettings(const std::filesystem::path& file, const Settings& settings);
 
 }  // namespace loomlight

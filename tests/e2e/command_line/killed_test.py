@@ -4,22 +4,36 @@ of every kind that it writes.
   LOOMLIGHT_KILLS=1000 ...    as many as that in place of the few of an ordinary run
 """
 
+import io
 import json
 import os
 import random
 import re
 import subprocess
 import time
+import unittest
+import zipfile
 
 from harness import HANGS_S, LOOMLIGHT, SMALL, CommandLineTest, main
 
 KILLS = int(os.environ.get("LOOMLIGHT_KILLS", "30"))
 SEED = 1
+OLD = b"the old file, of another length" * 1000
 
 
 def without_date(content):
     """A PDF says when it was made."""
     return re.sub(rb"D:[0-9]{14}Z", b"", content)
+
+
+def without_time(name, content):
+    """A hand-over says it as well, and its archive in each part: of one that is whole, the parts."""
+    if name.endswith(".u3m"):
+        return re.sub(rb'"[0-9-]{10}T[0-9:]{8}Z"', b"", content)
+    if not name.endswith(".u3ma") or not zipfile.is_zipfile(io.BytesIO(content)):
+        return content
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        return [(part, without_time(part, archive.read(part))) for part in archive.namelist()]
 
 
 class Killed(CommandLineTest):
@@ -53,9 +67,8 @@ class Killed(CommandLineTest):
                 new, longest_s = self.whole_files(words, file)
                 again, took_s = self.whole_files(words, file)
                 self.assertEqual(new, again, "two runs write two files")
-                old = b"the old file, of another length" * 1000
                 for i in range(-(-KILLS // len(writers))):
-                    (self.folder / file).write_bytes(old)
+                    (self.folder / file).write_bytes(OLD)
                     process = self.start(words, file)
                     # The first as soon as it can be. Most of the time is for what comes before the writing: half of the
                     # others fall into the end.
@@ -65,8 +78,8 @@ class Killed(CommandLineTest):
                     process.kill()
                     process.wait()
                     found = without_date(self.bytes_of(file))
-                    self.assertIn(found, (old, new), f"torn: {len(found)} bytes")
-                    left_old += found == old
+                    self.assertIn(found, (OLD, new), f"torn: {len(found)} bytes")
+                    left_old += found == OLD
                 # What the killed ones left beside it does not hold up the next.
                 self.assertEqual(self.whole_files(words, file)[0], new)
         # One may end before it is killed, where the machine is busy; at least half of those killed at once do not.
@@ -87,15 +100,23 @@ class Killed(CommandLineTest):
             self.assertEqual(kept["weave"], SMALL["weave"])
 
     def test_files_that_belong_together_are_put_in_their_places_together(self):
-        """All files of a tile are made in a folder of their own, as those of a hand-over are, and moved when the last is
-        finished: each is the old one or the new one, and once one is new, each other is new too, or lies whole in that
-        folder. Whether a kill comes while they are moved, so that some are old and some new, is a matter of luck: it is
-        tried for a while and told, and asked of nobody."""
-        words = ("--size", 320, "--spp", 1, "--threads", 1, "-o")
-        cloths = [self.fabric("white.json"), self.fabric("olive.json", fibres=[{"absorption_per_mm": [9, 4, 30]}] * 2)]
+        """All files of a tile are made in a folder of their own, and moved when the last is finished: each is the old one
+        or the new one, and once one is new, each other is new too, or lies whole in that folder. Whether a kill comes
+        while they are moved, so that some are old and some new, is a matter of luck: it is tried for a while and told,
+        and asked of nobody."""
+        words = ("tile", self.fabric("small.json"), "--size", 320, "--spp", 1, "--threads", 1, "-o")
+        self.put_in_their_places_together(words, max(10, KILLS // 3))
 
+    @unittest.skipUnless("LOOMLIGHT_KILLS" in os.environ, "takes seconds a kill")
+    def test_so_are_those_of_a_hand_over(self):
+        words = ("handover", self.fabric("small.json"), "--size", 24, "--measure", 2, "--spp", 1, "--free-twist", "-o")
+        self.put_in_their_places_together(words, max(4, KILLS // 50))
+
+    def put_in_their_places_together(self, words, least):
+        """Kills it at least so often, and on for a while until once it is killed while files are moved."""
         def files(folder):
-            return {str(file.relative_to(folder)): file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+            return {name: without_time(name, file.read_bytes()) for file in folder.rglob("*") if file.is_file()
+                    for name in [str(file.relative_to(folder))]}
 
         def left_whole():
             """What lies in the folders of the killed ones as it will be in its place."""
@@ -105,38 +126,38 @@ class Killed(CommandLineTest):
         def inode(name):
             return (self.folder / "out" / name).stat().st_ino
 
-        def made(cloth):
+        def made():
             began = time.monotonic()
-            self.assertEqual(self.start(("tile", cloth, *words), "out").wait(timeout=HANGS_S), 0)
+            self.assertEqual(self.start(words, "out").wait(timeout=HANGS_S), 0)
             return files(self.folder / "out"), time.monotonic() - began
 
-        (new, _), (old, took_s) = made(cloths[0]), made(cloths[1])
-        changed = {name for name in new if new[name] != old[name]}
-        self.assertGreater(len(changed), 2)
+        new, took_s = made()
+        self.assertGreater(len(new), 2)
         chance, between = random.Random(SEED + 2), 0
-        least = max(10, KILLS // 3)
+        placed = new.keys()
         for i in range(10 * least):
             if i >= least and between > 0:
                 break
-            before = {name: inode(name) for name in changed}
-            process = self.start(("tile", cloths[0], *words), "out")
+            for name in placed:
+                (self.folder / "out" / name).write_bytes(OLD)
+            before = {name: inode(name) for name in new}
+            process = self.start(words, "out")
             if i < least and chance.random() < 0.5:
                 time.sleep(chance.uniform(0.3, 1.05) * took_s)
             else:  # the moment in which they are moved is too short to be met by chance
-                while process.poll() is None and all(inode(name) == before[name] for name in changed):
+                while process.poll() is None and all(inode(name) == before[name] for name in new):
                     pass
             process.kill()
             process.wait()
             found = {name: content for name, content in files(self.folder / "out").items() if name in new}
             self.assertEqual(found.keys(), new.keys())
-            placed = {name for name in changed if found[name] != old[name]}
+            placed = {name for name in new if found[name] != OLD}
             self.assertEqual([name for name in placed if found[name] != new[name]], [], "torn")
             if placed:
-                self.assertGreaterEqual(placed.union(left_whole()), changed)
-                between += placed != changed
-                made(cloths[1])
+                self.assertGreaterEqual(placed.union(left_whole()), new.keys())
+                between += placed != new.keys()
         print(f"{between} were killed while their files were moved")
-        self.assertEqual(made(cloths[0])[0], new, "what the killed ones left is in the way, or is left")
+        self.assertEqual(made()[0], new, "what the killed ones left is in the way, or is left")
 
 
 main()

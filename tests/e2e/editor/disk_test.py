@@ -1,5 +1,6 @@
 """Disks that take nothing and files that are none: the editor says so, goes on, and the work is saved elsewhere. In the
-real window."""
+real window; what it writes beside the cloth and its settings is tried without one (headless/editor/full_disk_test.cpp).
+"""
 
 import os
 import resource
@@ -8,7 +9,10 @@ from window_driver import expect, read_json, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1024, 720
-FULL_AFTER = 50_000  # bytes that a file may have on the disk that stands in for a full one; the cloth needs more
+# Bytes that a file may have on the disk that stands in for a full one: enough for what tests are told of the widgets. The
+# cloth needs more, and so do settings with a file of this name among the recent ones.
+FULL_AFTER = 50_000
+LONG_NAME = "/gone" * 12_000
 
 
 def long_fabric(home):
@@ -143,8 +147,22 @@ def files_that_are_none(editor, folder):
     expect(editor.number("revision") == revision, "a file that is none became the cloth")
 
 
+def settings_that_are_not_kept(editor):
+    """The session ends all the same, and its log says so."""
+    with open(editor.settings_file, "rb") as file:
+        before = file.read()
+    fill_disk(editor, True)
+    editor.key("ctrl+q")
+    expect(editor.wait_for_end() == 0, f"the editor ended with {editor.process.returncode}\n{editor.log()}")
+    expect(f"{editor.settings_file}: cannot be written: File too large" in editor.log(), f"no word of it: {editor.log()}")
+    with open(editor.settings_file, "rb") as file:
+        expect(file.read() == before, "the old settings are gone")
+    expect(os.listdir(os.path.dirname(editor.settings_file)) == ["editor.json"], "something was left beside the settings")
+
+
 def test():
     with window(WIDTH, HEIGHT, samples=1) as editor:  # the picture is not judged
+        editor.write_settings({"hints_seen": True, "viewport_samples": 1, "recent": [LONG_NAME]})
         folder = os.path.join(editor.home, "cloths")
         os.mkdir(folder)
         file = long_fabric(folder)
@@ -158,6 +176,7 @@ def test():
         read_only_place(editor)
         elsewhere(editor, folder)
         files_that_are_none(editor, folder)
+        settings_that_are_not_kept(editor)
 
 
 run(test)

@@ -1,6 +1,6 @@
 """An editor that is killed (kill -9) while it saves, keeps a copy of unsaved work, a view or a preset, or writes its
-settings: the file is as it was or as it was saved, what was kept is whole or not there, the next editor starts, and
-offers what was not saved.
+settings or a snapshot: the file is as it was or as it was saved, what was kept is whole or not there, the next editor
+starts, and offers what was not saved.
 
   LOOMLIGHT_KILLS=1000 ...    as many as that in place of the few of an ordinary run
 """
@@ -18,7 +18,9 @@ from window_driver import expect, read_json, run, window
 PROGRAM = os.environ["LOOMLIGHT"]
 KILLS = int(os.environ.get("LOOMLIGHT_KILLS", "6"))
 WIDTH, HEIGHT = 960, 600
-ACTIONS = ("keep", "save", "settings", "view", "preset")
+ACTIONS = ("keep", "save", "settings", "view", "preset", "snapshot")
+# With so many each action comes eight times, so that all of them come to their end now and then before the kill.
+ENOUGH_KILLS = 8 * len(ACTIONS)
 LONGEST_S = 0.5  # from an action to the kill
 
 
@@ -33,6 +35,11 @@ def expect_whole_png(file):
         end = place + 8 + length
         expect(data[end:end + 4] == struct.pack(">I", zlib.crc32(data[place + 4:end])), f"{file} is torn at {place}")
         place = end + 4
+
+
+def inode_of(file):
+    """Another one when the file was replaced, be it by one of the same content."""
+    return os.stat(file).st_ino
 
 
 def names_in(folder):
@@ -93,7 +100,7 @@ def save_as(editor, file, weave):
     expect(weave_of(file) == weave, "other work was taken up than was left")
 
 
-def begin(editor, action, left, wanted):
+def begin(editor, action, left, wanted, chance):
     """Does what the kill is to come into; returns when it has begun."""
     views = os.path.join(editor.data, "views")
     if action == "save":
@@ -114,6 +121,18 @@ def begin(editor, action, left, wanted):
         editor.move(*editor.centre("presets.keep"))
         editor.input.button(1, 1)
         editor.input.button(1, 0)
+    elif action == "snapshot":
+        editor.key("ctrl+p")
+        editor.click("snapshot.file")
+        editor.key("ctrl+a")
+        editor.type(editor.picture)
+        editor.key("Return")
+        editor.move(*editor.centre("snapshot.start"))
+        there = inode_of(editor.picture)
+        editor.input.button(1, 1)
+        editor.input.button(1, 0)
+        if chance.random() < 0.2:  # however long it takes to be rendered
+            editor.wait_until("it is written", lambda: inode_of(editor.picture) != there)
     else:
         editor.key("n")
 
@@ -136,10 +155,15 @@ def expect_copies(action, left, before, weaves):
 def test():
     chance = random.Random(1)
     with window(WIDTH, HEIGHT) as editor:
-        file = small_cloth(editor.home, "Killed")
+        # Of which a snapshot is soon rendered.
+        file = small_cloth(editor.home, "Killed", render={"resolution": 1, "width": 64, "height": 48,
+                                                          "samples_per_pixel": 1})
         editor.state = os.path.join(editor.home, "state", "loomlight")
         editor.data = os.path.join(editor.home, "data", "loomlight")
-        offered = saved = views = presets = 0
+        editor.picture = os.path.join(editor.home, "snapshot.png")
+        with open(editor.picture, "w", encoding="utf-8") as old:  # which is replaced by the button, not by Return
+            old.write("what was there")
+        offered = saved = views = presets = snapshots = 0
         left, kept = [], False
         for i in range(KILLS):
             offered += bool(left)
@@ -154,7 +178,8 @@ def test():
             editor.click("draft.cell_0_0")
             editor.wait_until("the cloth is edited", lambda: editor.fact("dirty") == "yes")
             action = ACTIONS[i % len(ACTIONS)]
-            begin(editor, action, left, now)
+            picture = inode_of(editor.picture)
+            begin(editor, action, left, now, chance)
             time.sleep(chance.uniform(0, LONGEST_S))
             kill(editor)
             kept = action == "keep"
@@ -162,6 +187,10 @@ def test():
             may_be_saved = action == "save" and has_file
             expect(after == in_file or (may_be_saved and after == now), f"the file holds another cloth after '{action}'")
             saved += after != in_file
+            if inode_of(editor.picture) != picture:
+                expect(action == "snapshot", f"a snapshot is another one after '{action}'")
+                expect_whole_png(editor.picture)
+                snapshots += 1
             before, left = left, copies_in(editor.state)
             expect_copies(action, left, before, (now, weave) if taken_up else (now,))
             views = max(views, expect_whole_files(os.path.join(editor.data, "views"), "", ".png", expect_whole_png))
@@ -172,7 +201,11 @@ def test():
         editor.key("ctrl+q")
         expect(editor.wait_for_end() == 0, editor.log())
         print(f"{KILLS} kills; unsaved work was offered {offered} times, and saved {saved} times before the kill; "
-              f"{views} views and {presets} presets were kept")
+              f"{views} views and {presets} presets were kept, and {snapshots} snapshots written")
+        if KILLS >= ENOUGH_KILLS:
+            for what, times in (("offered", offered), ("saved", saved), ("kept as a view", views),
+                                ("kept as a preset", presets), ("a snapshot", snapshots)):
+                expect(times > 0, f"in {KILLS} kills nothing was {what}")
 
 
 run(test)

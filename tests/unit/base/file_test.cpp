@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "tests/support/full_disk.h"
 
 namespace loomlight {
 namespace {
@@ -113,14 +112,10 @@ TEST_F(File, ALinkToItselfIsNoPlaceForAFile) {
 
 TEST_F(File, AFailedWriteLeavesTheOldFile) {
   writeFileAtomically(at("a"), "old");
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handled = ::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{1000, before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);  // stands in for a full disk
-  EXPECT_THROW(writeFileAtomically(at("a"), std::string(2000, 'x')), InputError);
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
-  ::signal(SIGXFSZ, handled);
+  {
+    const test::FullDisk full(1000);
+    EXPECT_THROW(writeFileAtomically(at("a"), std::string(2000, 'x')), InputError);
+  }
   EXPECT_EQ(readFile(at("a"), 10), "old");
   EXPECT_EQ(filesInFolder(), 1u);
 }

@@ -21,6 +21,8 @@
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
+#include "tests/support/full_disk.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/wakes.h"
 
 namespace loomlight {
@@ -288,6 +290,21 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
     EXPECT_GE(readSettings(file).windowWidth, 960) << text;
     EXPECT_GE(readSettings(file).snapshot.dpi, kPrintResolution_dpi[0]) << text;
   }
+}
+
+TEST(Settings, AFullDiskKeepsTheOldOnesAndSaysSo) {
+  const Folder folder;
+  const std::string file = (folder.path / "editor.json").string();
+  writeSettings(file, Settings());
+  Settings settings;
+  settings.windowWidth = 1777;
+  {
+    const test::FullDisk full(1000);
+    EXPECT_THAT(test::messageOf<InputError>([&] { writeSettings(file, settings); }),
+                testing::AllOf(testing::HasSubstr(file), testing::HasSubstr("File too large")));
+  }
+  EXPECT_EQ(readSettings(file).windowWidth, Settings().windowWidth);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1) << "something was left beside them";
 }
 
 TEST(Settings, OneThatMakesNoSenseCostsNoOther) {

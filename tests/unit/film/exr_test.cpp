@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "core/base/file.h"
 #include "core/base/random.h"
 #include "render/film/image.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/unit/film/exr_bytes.h"
 #include "tests/unit/film/film_samples.h"
@@ -273,21 +272,10 @@ TEST(Exr, FailedWritesNameTheFileAndLeaveTheOldOne) {
   const std::string before = bytesOf(file);
   Image large = smallImage();
   large.metadata["noise"] = std::string(300000, 'x');
-  // The disk is full, as far as this process can tell.
-  rlimit old{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);
-  const rlimit tight{100000, old.rlim_max};
-  const auto handler = signal(SIGXFSZ, SIG_IGN);
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
-  std::string message;
-  try {
-    writeExr(file, large);
-  } catch (const InputError& e) {
-    message = e.what();
+  {
+    const test::FullDisk full(100000);
+    EXPECT_THAT(test::messageOf<InputError>([&] { writeExr(file, large); }), HasSubstr(file));
   }
-  setrlimit(RLIMIT_FSIZE, &old);
-  signal(SIGXFSZ, handler);
-  EXPECT_THAT(message, HasSubstr(file));
   EXPECT_EQ(bytesOf(file), before);
   EXPECT_EQ(folder.entries(), 1u);
 }
