@@ -48,6 +48,11 @@ int run([[maybe_unused]] const UiBenchCommand& command) {
 #endif
 }
 
+/// Says why the program ends. fmt::print would throw where that cannot be written, as in a log on a full disk.
+void say(const std::string& why) {
+  std::fputs(("loomlight: " + why + "\n").c_str(), stderr);
+}
+
 }  // namespace
 }  // namespace loomlight
 
@@ -69,14 +74,14 @@ int loomlight_main(int argc, char** argv) {
     expectPrinted();
     return status;
   } catch (const UsageError& error) {
-    fmt::print(stderr, "loomlight: {}\nloomlight --help says more\n", error.what());
+    say(std::string(error.what()) + "\nloomlight --help says more");
     return kBadUsage;
   } catch (const InputError& error) {
-    fmt::print(stderr, "loomlight: {}\n", error.what());
+    say(error.what());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "loomlight: there is not enough memory for this\n");
+    say("there is not enough memory for this");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "loomlight: {}\n", error.what());
+    say(error.what());
   }
   return kBadInput;
 }

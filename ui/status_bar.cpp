@@ -43,10 +43,12 @@ void statusBar(Ui& ui, const StatusModel& model) {
   const float x = ui.px(16);
   // The places are reserved, so that nothing moves. In a narrow window figures end before what the workers say begins.
   const float right = width - ui.px(model.background.empty() && model.lamp.empty() ? 338 : 458);
+  constexpr float kFigures = 520;  // the room of all of them
+  const bool giveWay = model.isUrgent && x + ui.px(kFigures) + ImGui::CalcTextSize(model.warning.c_str()).x > right;
   float end = x;  // of what is said of the cloth
   const auto clothFigure = [&](const char* id, float place, const std::string& text, const char* tooltip) {
     const float from = x + ui.px(place);
-    if (model.figuresKnown && !model.isUrgent && from + ImGui::CalcTextSize(text.c_str()).x < right)
+    if (model.figuresKnown && !giveWay && from + ImGui::CalcTextSize(text.c_str()).x < right)
       end = figure(ui, id, from, text, tooltip, quiet);
   };
   clothFigure("status.mass", 0, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2), words::status::massHelp);
@@ -55,7 +57,7 @@ void statusBar(Ui& ui, const StatusModel& model) {
               words::thickness.help);
   clothFigure("status.float", 304, floatsText(model), words::status::floatHelp);
   const std::string more = model.moreWarnings > 0 ? fmt::format("  (+{})", model.moreWarnings) : std::string();
-  const float left = model.isUrgent ? x : std::max(x + ui.px(520), end + ui.px(16));
+  const float left = giveWay ? x : std::max(x + ui.px(kFigures), end + ui.px(16));
   const float room = right - left - ImGui::CalcTextSize(more.c_str()).x;
   if (!model.warning.empty() && room > ui.px(40))
     figure(ui, "status.warning", left, shortened(model.warning, room) + more, model.warning.c_str(), ui.theme.warning);

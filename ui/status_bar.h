@@ -19,7 +19,8 @@ struct StatusModel {
   double thickness_mm = 0;
   std::string warning;  ///< the most important one about the cloth; empty when all is well
   int moreWarnings = 0;
-  bool isUrgent = false;  ///< the warning is of what is not safe: figures give way to it, however narrow the window
+  bool isUrgent =
+      false;  ///< the warning is of what is not safe: figures give way to it where there is no room for both
   int samples = 0;
   double seconds = 0;
   std::string work;        ///< what the workers do: "tracing", "building 40 %", "converged"

@@ -146,7 +146,8 @@ int runEditor(const EditorOptions& options) {
   try {
     writeSettings(settingsFile(), last);
   } catch (const InputError& error) {  // no reason to hold up the end of a session whose work is saved
-    fmt::print(stderr, words::errors::settingsNotKept, error.what());
+    // fmt::print would throw where the log is on the same full disk.
+    std::fputs(fmt::format(words::errors::settingsNotKept, error.what()).c_str(), stderr);
   }
   return 0;
 }

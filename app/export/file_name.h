@@ -10,7 +10,7 @@ namespace loomlight {
 /// well; ".loomlight" is ours alone, so that a desktop opens it with this program.
 bool isFabricFile(const std::string& file);
 
-/// Whether it is to be read as a weaving file: WIF, which PixeLoom calls .plm, or .dtx; some come by mail as texts,
+/// Whether it is to be read as a weaving file: WIF, which PixeLoom calls .plm, .dtx or .twa; some come by mail as texts,
 /// "draft.wif.txt".
 bool isWeavingFile(const std::string& file);
 

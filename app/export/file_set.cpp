@@ -1,10 +1,12 @@
 #include "app/export/file_set.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -49,6 +51,17 @@ void sweep(const fs::path& folder, const std::string& beginning) {
   for (const fs::path& scratch : left) fs::remove_all(scratch, error);
 }
 
+/// The file that is replaced hands on its permissions. Throws InputError where a link has led to another disk, as files
+/// can be renamed within one alone.
+void takeOver(const fs::path& made, const fs::path& target) {
+  struct stat ours{}, folder{}, old{};
+  const fs::path parent = target.has_parent_path() ? target.parent_path() : ".";
+  if (::stat(made.c_str(), &ours) == 0 && ::stat(parent.c_str(), &folder) == 0 && ours.st_dev != folder.st_dev)
+    throw InputError(
+        fmt::format("{}: expected a file on the disk of the folder that it is linked from", target.string()));
+  if (::stat(target.c_str(), &old) == 0) ::chmod(made.c_str(), old.st_mode & 07777);
+}
+
 }  // namespace
 
 FileSet::FileSet(const std::string& folder, const std::string& name) : folder_(folder.empty() ? "." : folder) {
@@ -75,19 +88,24 @@ std::string FileSet::add(const std::string& name) {
 }
 
 void FileSet::place() const {
+  std::vector<fs::path> targets;
   for (const std::string& name : names_) {
     const fs::path to = fs::path(folder_) / name;
     makeFolder(to.parent_path());
     expectWritable(to.string());
+    targets.push_back(replacedBy(to.string()));
+    takeOver(pathOf(name), targets.back());
   }
   for (size_t i = 0; i < names_.size(); ++i) {
-    const fs::path to = fs::path(folder_) / names_[i];
     std::error_code failed;
-    fs::rename(fs::path(scratch_) / names_[i], to, failed);
+    fs::rename(pathOf(names_[i]), targets[i], failed);
     if (failed)
       throw InputError(fmt::format("{}: cannot be put in its place, so that only {} of {} files are the new ones: {}",
-                                   to.string(), i, names_.size(), failed.message()));
+                                   (fs::path(folder_) / names_[i]).string(), i, names_.size(), failed.message()));
   }
+  std::set<fs::path> folders;
+  for (const fs::path& target : targets)
+    if (folders.insert(target.parent_path()).second) syncFolder(target);
 }
 
 }  // namespace loomlight

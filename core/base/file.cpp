@@ -81,14 +81,6 @@ bool keepPermissions(int fd, const std::string& target) {
   return ::stat(target.c_str(), &old) != 0 || ::fchmod(fd, old.st_mode & 07777) == 0;
 }
 
-/// A rename is only safe from a power cut once the folder is on the disk too. Some file systems cannot sync folders;
-/// the file's own bytes are safe there already.
-void syncFolder(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() >= 0) (void)::fsync(fd.get());
-}
-
 }  // namespace
 
 std::string readFile(const std::string& file, size_t maxBytes) {
@@ -134,13 +126,21 @@ void expectWritable(const std::string& file) {
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, "cannot be written into its folder");
 }
 
-bool writeFileAtomically(const std::string& file, std::string_view content, const std::stop_token& stop) {
-  expectWritable(file);
-  // Through a symbolic link, the file it points to is the one to replace.
+std::filesystem::path replacedBy(const std::string& file) {
   std::error_code none;
   const std::filesystem::path real = std::filesystem::canonical(file, none);
-  const std::string target = none ? file : real.string();
+  return none ? std::filesystem::path(file) : real;
+}
 
+void syncFolder(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (fd.get() >= 0) (void)::fsync(fd.get());
+}
+
+bool writeFileAtomically(const std::string& file, std::string_view content, const std::stop_token& stop) {
+  expectWritable(file);
+  const std::string target = replacedBy(file).string();
   std::string name;
   bool written = false;
   {

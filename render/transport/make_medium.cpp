@@ -1,6 +1,7 @@
 #include "render/transport/make_medium.h"
 
 #include "core/base/checksum.h"
+#include "core/base/hash.h"
 #include "core/base/stopwatch.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/media/close_up_medium.h"

@@ -169,11 +169,11 @@ bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& opti
   return true;
 }
 
-/// The kind of processor that shows in what was traced; empty where none does. Tables of visibility may be from a
-/// folder that others share.
-std::string processorOf(const MediumCost& medium, const TraceCounts& counts) {
+/// The kind of processor that shows in what was traced, of `mine`; empty where none does. Tables of visibility may be
+/// from a folder that others share.
+std::string processorOf(const MediumCost& medium, const TraceCounts& counts, const std::string& mine) {
   if (medium.bvdfBytes > 0) return fmt::format("{:016x}", medium.bvdfChecksum);
-  return counts.amongFibres > 0 ? processorKind() : "";
+  return counts.amongFibres > 0 ? mine : "";
 }
 
 /// Of what there is and of what is added. Throws unless these are of the same files and fibres, whoever traced them; a
@@ -248,11 +248,12 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
   const int wanted = picture.box.high.z - picture.box.low.z;
   fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", window.width, window.height,
              wanted, task.threads);
+  const std::string kind = processorKind();  // may throw, which after the work would cost all of it
   TraceCounts counts;
   Stopwatch watch;
   const bool complete = trace(built, picture, task, command.progress, counts);
   const double render_s = watch.lap();
-  origin.processor = withKind(picture.origin.processor, processorOf(built.cost, counts));
+  origin.processor = withKind(picture.origin.processor, processorOf(built.cost, counts, kind));
 
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
   write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(), origin);

@@ -19,8 +19,8 @@ PROGRAM = os.environ["LOOMLIGHT"]
 KILLS = int(os.environ.get("LOOMLIGHT_KILLS", "6"))
 WIDTH, HEIGHT = 960, 600
 ACTIONS = ("keep", "save", "settings", "view", "preset", "snapshot")
-# With so many each action comes eight times, so that all of them come to their end now and then before the kill.
-ENOUGH_KILLS = 8 * len(ACTIONS)
+# With so many each action comes sixteen times: one in five waits for its end, all but 3 % of such series do so once.
+ENOUGH_KILLS = 16 * len(ACTIONS)
 LONGEST_S = 0.5  # from an action to the kill
 
 
@@ -100,12 +100,16 @@ def save_as(editor, file, weave):
     expect(weave_of(file) == weave, "other work was taken up than was left")
 
 
-def begin(editor, action, left, wanted, chance):
-    """Does what the kill is to come into; returns when it has begun."""
-    views = os.path.join(editor.data, "views")
+def begin(editor, action, left, wanted, chance, has_file):
+    """Does what the kill is to come into; returns when it has begun, and now and then only when it is done, however long
+    that takes."""
+    views, presets = (os.path.join(editor.data, name) for name in ("views", "presets"))
+    waits = chance.random() < 0.2
     if action == "save":
         editor.input.key("ctrl", 1)
         editor.input.key("s", 1)
+        if waits and has_file:
+            editor.wait_until("it is saved", lambda: editor.fact("dirty") == "no")
     elif action == "keep":
         known = dict(left)
         editor.wait_until("a copy is kept", lambda: any(name not in known and weave == wanted
@@ -119,8 +123,11 @@ def begin(editor, action, left, wanted, chance):
     elif action == "preset":
         editor.key("ctrl+b")
         editor.move(*editor.centre("presets.keep"))
+        there = names_in(presets)
         editor.input.button(1, 1)
         editor.input.button(1, 0)
+        if waits:
+            editor.wait_until("it is kept", lambda: names_in(presets) != there)
     elif action == "snapshot":
         editor.key("ctrl+p")
         editor.click("snapshot.file")
@@ -131,7 +138,7 @@ def begin(editor, action, left, wanted, chance):
         there = inode_of(editor.picture)
         editor.input.button(1, 1)
         editor.input.button(1, 0)
-        if chance.random() < 0.2:  # however long it takes to be rendered
+        if waits:
             editor.wait_until("it is written", lambda: inode_of(editor.picture) != there)
     else:
         editor.key("n")
@@ -179,7 +186,7 @@ def test():
             editor.wait_until("the cloth is edited", lambda: editor.fact("dirty") == "yes")
             action = ACTIONS[i % len(ACTIONS)]
             picture = inode_of(editor.picture)
-            begin(editor, action, left, now, chance)
+            begin(editor, action, left, now, chance, has_file)
             time.sleep(chance.uniform(0, LONGEST_S))
             kill(editor)
             kept = action == "keep"

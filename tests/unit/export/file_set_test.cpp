@@ -1,6 +1,7 @@
 #include "app/export/file_set.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -50,6 +51,38 @@ TEST_F(FileSetTest, ThatCannotBePlacedLeavesTheOldFiles) {
   }
   EXPECT_EQ(read("a"), "old");
   EXPECT_EQ(entries(), 2u) << "nothing is left of the set";
+}
+
+TEST_F(FileSetTest, FollowsLinksAndKeepsPermissions) {
+  write("far", "old");
+  fs::permissions(fs::path(folder()) / "far", fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
+  fs::create_symlink("far", fs::path(folder()) / "a");
+  FileSet set(folder(), "tile");
+  writeFileAtomically(set.add("a"), "new");
+  set.place();
+  EXPECT_TRUE(fs::is_symlink(fs::path(folder()) / "a"));
+  EXPECT_EQ(read("far"), "new");
+  EXPECT_EQ(fs::status(fs::path(folder()) / "far").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
+}
+
+/// A rename would fail when others have been moved already.
+TEST_F(FileSetTest, RefusesALinkToAnotherDiskBeforeAnythingIsMoved) {
+  const fs::path memory = "/dev/shm";
+  struct stat here{}, there{};
+  if (::stat(memory.c_str(), &there) != 0 || ::stat(folder().c_str(), &here) != 0 || here.st_dev == there.st_dev ||
+      ::access(memory.c_str(), W_OK) != 0)
+    GTEST_SKIP() << "there is no other disk here";
+  const fs::path far = memory / ("loomlight-" + fs::path(folder()).filename().string());
+  std::ofstream(far) << "old";
+  write("a", "old");
+  fs::create_symlink(far, fs::path(folder()) / "b");
+  FileSet set(folder(), "tile");
+  for (const char* name : {"a", "b"}) writeFileAtomically(set.add(name), "new");
+  const std::string said = test::messageOf<InputError>([&] { set.place(); });
+  EXPECT_NE(said.find("expected a file on the disk of the folder"), std::string::npos) << said;
+  EXPECT_EQ(read("a"), "old");
+  fs::remove(far);
 }
 
 TEST_F(FileSetTest, SaysHowManyAreNewWhereOneCannotBeMoved) {

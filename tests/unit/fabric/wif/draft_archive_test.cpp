@@ -1,5 +1,6 @@
 #include "core/fabric/wif/draft_archive.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zip.h>
@@ -74,6 +75,30 @@ TEST(DraftArchive, ThatBecomesTooLargeIsRefusedBeforeItIs) {
   const std::string small = archiveOf({{kDraft, std::string(kMaxWifBytes + 1, ' ')}});
   EXPECT_LT(small.size(), kMaxWifBytes / 100);
   EXPECT_THAT(refusal(small), HasSubstr("twamain.waf: expected at most 32000000 bytes, got 32000001"));
+}
+
+/// Names that one table of the library holds in one place would take it minutes.
+TEST(DraftArchive, OfManyFilesIsRefusedBeforeTheyAreLookedAt) {
+  Entries entries{{kDraft, twillFile()}};
+  std::vector<std::string> names(1000);
+  for (size_t i = 0; i < names.size(); ++i) names[i] = "section" + std::to_string(i);
+  for (size_t i = 1; i < names.size(); ++i) entries.emplace_back(names[i].c_str(), "");
+  EXPECT_EQ(refusal(archiveOf(entries)), "read");
+  entries.emplace_back(names[0].c_str(), "");
+  EXPECT_THAT(refusal(archiveOf(entries)),
+              HasSubstr("x.twa: expected an archive of TempoWeave (.twa): it has more than "
+                        "1000 files"));
+}
+
+/// The list at its end says how long the draft is, in bytes 24 to 27 of its line.
+TEST(DraftArchive, OfAnotherLengthThanItsListSaysIsRefused) {
+  const std::string whole = archiveOf({{kDraft, twillFile()}});
+  const size_t length = whole.find("PK\x01\x02") + 24;
+  for (const auto& [change, got] : {std::pair(1, "fewer"), std::pair(-1, "more")}) {
+    std::string bytes = whole;
+    bytes[length] = static_cast<char>(bytes[length] + change);
+    EXPECT_THAT(refusal(bytes), HasSubstr(fmt::format("bytes of twamain.waf, got {}", got)));
+  }
 }
 
 TEST(DraftArchive, DamagedAnywhereIsRefusedOrTheSame) {
