@@ -10,8 +10,8 @@ namespace loomlight {
 /// well; ".loomlight" is ours alone, so that a desktop opens it with this program.
 bool isFabricFile(const std::string& file);
 
-/// Whether it is to be read as a weaving file: WIF, which PixeLoom calls .plm, .dtx or .twa; some come by mail as texts,
-/// "draft.wif.txt".
+/// Whether it is to be read as a weaving file: WIF, which PixeLoom calls .plm, .dtx or .twa; some come by mail as
+/// texts, "draft.wif.txt".
 bool isWeavingFile(const std::string& file);
 
 /// The program whose own drafts end so, which are not read: "WeavePoint" for .wpo. They can be had as WIF from it.
