@@ -68,7 +68,7 @@ std::string draftOfArchive(std::string_view bytes, const std::string& source) {
   if (!entry) throw damaged(source, zip_strerror(archive.get()));
   std::string draft(stat.size, '\0');
   const zip_int64_t length = zip_fread(entry.get(), draft.data(), draft.size());
-  char beyond;  // its checksum is compared when its end is read
+  char beyond = 0;  // its checksum is compared when its end is read
   const zip_int64_t more = length < 0 ? 0 : zip_fread(entry.get(), &beyond, 1);
   if (length < 0 || more < 0) throw damaged(source, zip_file_strerror(entry.get()));
   if (more > 0 || length < static_cast<zip_int64_t>(draft.size()))
