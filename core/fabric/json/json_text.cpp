@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/fabric/model/field_path.h"
 
 // How it works. nlohmann's parser reads twice. The first time a guard hears of each list, object, key and value as it
 // is met, and refuses what the parser would take: depths above 64, millions of values, a key given twice. It keeps one
@@ -94,7 +95,7 @@ class Guard : public nlohmann::json_sax<nlohmann::json> {
     for (const Level& level : open_) {
       if (level.key) {
         if (!path.empty()) path += '.';
-        path += level.key->substr(0, 40);
+        path += plainText(*level.key);
       } else if (level.values > 0) {
         path += fmt::format("[{}]", level.values - 1);
       }
