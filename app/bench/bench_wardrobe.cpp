@@ -59,7 +59,9 @@ constexpr const char* kChosenAfterwards =
     "the law of crossings had changed, these were chosen anew: the flattening of charmeuse, crepe de chine, lining "
     "twill, taffeta, linen and damask, and the picks of voile (23.0 per cm, before 22.8); the press of linen, damask "
     "and voile was changed, too, and set back, and the reason that is said for georgette was added. The gabardine's "
-    "figures were set down after ours were looked at, as its first construction was heavier than what is sold. Of all "
+    "figures were set down after ours were looked at, as its first construction was heavier than what is sold. The "
+    "milling of flannel, tweed and blanket was chosen by their look when these figures were known, and the flannel's "
+    "once more so that its thickness is within the bound (0.65, before 0.6). Of all "
     "else it is not on record whether it was chosen before a comparison or after one. A thickness that agrees is "
     "therefore no prediction.";
 

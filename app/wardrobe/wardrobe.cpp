@@ -16,7 +16,7 @@ namespace {
 // of a wool, 0.65 of a polyester (Penava et al. 2014).
 
 constexpr const char* kNap = "the nap that raising makes, which a gauge rests on, is not modelled";
-constexpr Allowance kRaisedSuiting{0.40, kNap}, kRaisedBlanket{0.70, kNap},
+constexpr Allowance kRaisedBlanket{0.55, kNap},
     kDeepens{0.70, "the cells of a honeycomb deepen as it shrinks, which is not modelled"},
     kSpreads{0.35, "filaments with hardly a twist spread at crossings more than the law of pressing lets them"},
     kCrinkles{0.35, "crepe yarns crinkle as the cloth shrinks, which is not modelled"};
@@ -94,7 +94,7 @@ const WardrobeCloth kCloths[] = {
      "Flannel",
      kWardrobeFlannel,
      {"woollen Nm 14, 17 x 15.5 per cm, milled and raised", 250, 0.80,
-      "mass: recalled, 370 to 400 g a metre of 150 cm; thickness: recalled, 0.7 to 0.9, nap included", kRaisedSuiting}},
+      "mass: recalled, 370 to 400 g a metre of 150 cm; thickness: recalled, 0.7 to 0.9, nap included"}},
     {"tweed",
      "Tweed",
      kWardrobeTweed,

@@ -41,8 +41,9 @@ Yielding finished(const Finishes& of, double press, size_t state) {
 
 }  // namespace
 
-double packingAtCrossings(double packing) {
-  return std::clamp(packing, kSpunPacking, kFilamentPacking);
+double packingAtCrossings(double packing, double felting) {
+  const double pressed = std::clamp(packing, kSpunPacking, kFilamentPacking);
+  return mix(pressed, std::min(packing, pressed), felting);
 }
 
 Yielding yieldingOf(double press, double packing, int floatState) {

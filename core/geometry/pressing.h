@@ -21,7 +21,8 @@ struct Yielding {
 };
 
 /// The packing that the law takes a yarn of this packing at, 0.5..0.7: pressing closes looser ones and opens denser.
-double packingAtCrossings(double packing);
+/// A felted one (0..1) has swollen after that, from one to the other.
+double packingAtCrossings(double packing, double felting = 0);
 
 /// Heights, widths and distances of yarns at their crossings. Washed (`press` 0), they are read off yarns that were
 /// relaxed as bundles of hard strands under the loom's tension (tests/bench/relaxation.h); pressed (0.5) and calendered

@@ -82,14 +82,14 @@ void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
   section = {up, across};
 }
 
-void pressSections(YarnGeometry& g, const Yarn& yarn, double press) {
+void pressSections(YarnGeometry& g, const Yarn& yarn, double press, double felting) {
   constexpr double kUsualFlattening = 1.2;  // of the yarns that the law was found for
   constexpr SectionScale kFree = {0.92, 0.97};
   const bool rigid = isMonofilament(yarn);
   // Plies give way into the gaps between them: as high as a single of their area, they are wider by what they keep.
   const double single = g.plyRadius_mm * std::sqrt(static_cast<double>(g.singles()));
   const double flatter = rigid ? 1.0 : std::sqrt(yarn.flattening / kUsualFlattening) * g.coreRadius_mm() / single;
-  const double closer = rigid ? 1.0 : std::sqrt(yarn.packing / packingAtCrossings(yarn.packing));
+  const double closer = rigid ? 1.0 : std::sqrt(yarn.packing / packingAtCrossings(yarn.packing, felting));
   for (int state = 0; state < kFloatStates; ++state) {
     const Yielding yielding = rigid ? Yielding{} : yieldingOf(press, yarn.packing, state);
     SectionScale& section = g.pressed[static_cast<size_t>(state)];
@@ -147,7 +147,8 @@ double estimateTakeUp(const YarnGeometry& g, const Twist& twist) {
                    square(cords * g.cordOrbit_mm));
 }
 
-YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm, double press) {
+YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm, double press,
+                         double felting) {
   YarnGeometry g;
   g.cords = yarn.cords;
   g.plies = yarn.plies;
@@ -163,7 +164,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.layout = yarn.layout;
   setPlyRadius(g, plyRadius_mm(g, yarn, fibre));
   g.fibreArea_mm2 = (isMonofilament(yarn) ? 1.0 : yarn.packing) * g.singles() * kPi * g.plyRadius_mm * g.plyRadius_mm;
-  pressSections(g, yarn, press);
+  pressSections(g, yarn, press, felting);
   return g;
 }
 

@@ -59,8 +59,9 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
     const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
     const double crossPitch = system == System::warp ? warpPitch_mm_ : weftPitch_mm_;
     for (const Yarn* yarn : yarnOf) {
-      YarnGeometry& outline = of.outlines.emplace_back(outlineYarn(
-          withFinishedHair(*yarn, fabric), meanFibre(*yarn, fabric.fibres), pitch, crossPitch, fabric.press));
+      YarnGeometry& outline =
+          of.outlines.emplace_back(outlineYarn(withFinish(*yarn, fabric), meanFibre(*yarn, fabric.fibres), pitch,
+                                               crossPitch, fabric.press, feltingOf(*yarn, fabric)));
       outline.hairLie = hairLieOf(fabric, system);
       // Neighbours move independently of each other, so their distance varies by the root of two more than each does.
       outline.evenness.aside_mm = fabric.settCv_percent / 100 * crossPitch / std::sqrt(2.0);

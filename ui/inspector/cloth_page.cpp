@@ -52,6 +52,7 @@ bool finishRows(Ui& ui, Fabric& fabric) {
   changed |= memberField(ui, "cloth", fabric, &Fabric::crimpBalance, 2);
   changed |= switchField(ui, rowText("cloth", &Fabric::singed), fabric.singed);
   changed |= switchField(ui, rowText("cloth", &Fabric::brushed), fabric.brushed);
+  changed |= memberField(ui, "cloth", fabric, &Fabric::milling, 2);
   changed |= switchField(ui, rowText("cloth", &Fabric::mercerised), fabric.mercerised);
   return changed;
 }

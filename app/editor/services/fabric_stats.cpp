@@ -26,6 +26,7 @@ Fabric plainClothOf(const Fabric& fabric, int yarn) {
   plain.press = fabric.press;
   plain.singed = fabric.singed;
   plain.brushed = fabric.brushed;
+  plain.milling = fabric.milling;
   plain.crimpBalance = fabric.crimpBalance;
   return plain;
 }

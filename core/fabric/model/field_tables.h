@@ -251,6 +251,7 @@ struct FieldTable<Fabric> {
       Field{&Fabric::press, {grid, "press", words::press.label, "", 0, 1, words::press.help}},
       Field{&Fabric::singed, {grid, "singed", words::singed.label, "", 0, 0, words::singed.help}},
       Field{&Fabric::brushed, {grid, "brushed", words::brushed.label, "", 0, 0, words::brushed.help}},
+      Field{&Fabric::milling, {grid, "milling", words::milling.label, "", 0, 1, words::milling.help}},
       Field{&Fabric::mercerised, {optics, "mercerised", words::mercerised.label, "", 0, 0, words::mercerised.help}},
       Field{&Fabric::crimpBalance,
             {grid, "crimp_balance", words::crimpBalance.label, "×", 0.25, 4, words::crimpBalance.help, true}});

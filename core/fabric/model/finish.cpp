@@ -15,7 +15,11 @@ namespace {
 struct HairFactors {
   double number = 1, length = 1;
 };
-constexpr HairFactors kSinged{0.35, 0.4}, kBrushed{1.8, 1.6};
+constexpr HairFactors kSinged{0.35, 0.4}, kBrushed{1.8, 1.6}, kMilled{3, 1.3};
+
+constexpr double kSwelling = 0.45;          // of the packing, what milling takes
+constexpr double kMilledDisorder_deg = 12;  // what it adds to the fibres' own
+constexpr double kMatted = 0.75;            // of the hairs that stand, how many it lays
 
 constexpr double kLustre = 0.6;  // of the roughness, what mercerising leaves
 
@@ -26,7 +30,12 @@ constexpr double kClimbing = 1.09, kLooping = 1.05;  // longer than their way al
 
 }  // namespace
 
-Yarn withFinishedHair(Yarn yarn, const Fabric& fabric) {
+double feltingOf(const Yarn& yarn, const Fabric& fabric) {
+  return yarn.hairiness_per_mm > 0 ? fabric.milling : 0.0;
+}
+
+Yarn withFinish(Yarn yarn, const Fabric& fabric) {
+  const double felting = feltingOf(yarn, fabric);
   const auto apply = [&yarn](const HairFactors& factors) {
     yarn.hairiness_per_mm = std::min(yarn.hairiness_per_mm * factors.number, fieldInfo(&Yarn::hairiness_per_mm).max);
     const FieldInfo length = fieldInfo(&Yarn::hairLength_mm);
@@ -34,12 +43,18 @@ Yarn withFinishedHair(Yarn yarn, const Fabric& fabric) {
   };
   if (fabric.singed) apply(kSinged);
   if (fabric.brushed) apply(kBrushed);
+  if (felting == 0) return yarn;
+  apply({1 + felting * (kMilled.number - 1), 1 + felting * (kMilled.length - 1)});
+  const FieldInfo packing = fieldInfo(&Yarn::packing), disorder = fieldInfo(&Yarn::fibreDisorder_deg);
+  yarn.packing = std::max(packing.min, yarn.packing * (1 - kSwelling * felting));
+  yarn.fibreDisorder_deg = std::min(yarn.fibreDisorder_deg + kMilledDisorder_deg * felting, disorder.max);
   return yarn;
 }
 
 HairLie hairLieOf(const Fabric& fabric, System system) {
   HairLie lie;
   lie.lyingShare += (1 - lie.lyingShare) * std::clamp(2 * fabric.press - 1, 0.0, 1.0);
+  lie.lyingShare += (1 - lie.lyingShare) * kMatted * fabric.milling;
   lie.isRaised = fabric.brushed;
   // A pick's side u looks towards the lower picks.
   if (fabric.brushed && system == System::weft) lie.heading = -0.5 * kPi;

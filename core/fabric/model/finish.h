@@ -12,10 +12,14 @@ struct HairLie {
   bool operator==(const HairLie&) const = default;
 };
 
-/// The yarn with the hair that the finish leaves it: singeing burns most of it off, short; brushing draws more and
-/// longer ends out of it. Nothing else of it changes.
-Yarn withFinishedHair(Yarn yarn, const Fabric& fabric);
-/// Of the yarns of a system. Calendering, the upper half of Fabric::press, lays the last of what stands free. Cloth is
+/// The yarn as the finish leaves it. Singeing burns most of its hair off, short; brushing draws more and longer ends
+/// out of it. Milling, of a yarn that has hairs, draws fibres out of it, opens it and lets the others stray. Nothing
+/// else of it changes.
+Yarn withFinish(Yarn yarn, const Fabric& fabric);
+/// How far milling has felted the yarn: Fabric::milling of one that has hairs, else 0.
+double feltingOf(const Yarn& yarn, const Fabric& fabric);
+/// Of the yarns of a system. Calendering, the upper half of Fabric::press, lays the last of what stands free, and
+/// milling most. Cloth is
 /// brushed along the warp, towards the higher picks.
 HairLie hairLieOf(const Fabric& fabric, System system);
 /// The fibre as the finish leaves it. Mercerising swells cotton, whose section is a kidney, until it is round and

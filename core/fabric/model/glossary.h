@@ -189,6 +189,12 @@ inline constexpr Word singed{"Singed",
 inline constexpr Word brushed{"Brushed",
                               "Loose fibres are drawn out and raised on the face, all one way along the warp, as on "
                               "flannel. It takes yarns that have hairs."};
+inline constexpr Word milling{
+    "Milling",
+    "How far wool is milled (fulled): its scales work into one another, yarns swell, and their surface mats until the "
+    "weave hardly shows. 0 clear, as worsted suits are; 0.5 flannel and tweed; 1 blankets and loden. It takes yarns "
+    "that "
+    "have hairs. The setts are those after it."};
 inline constexpr Word mercerised{
     "Mercerised",
     "Cotton is swollen in lye: its fibres become round and smooth, and lustrous. It acts on "

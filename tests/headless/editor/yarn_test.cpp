@@ -75,6 +75,8 @@ TEST(TallClothPage, AFinishIsSwitchedOn) {
     editor.edits(row, [&] { editor.click(row + "/On"); });
     EXPECT_TRUE(editor.saved().*finish) << row;
   }
+  editor.edits("milling", [&] { editor.enter("cloth.milling", "0.6"); });
+  EXPECT_EQ(editor.saved().milling, 0.6);
 }
 
 TEST_F(YarnPages, WhatFollowsForTheCloth) {

@@ -21,6 +21,19 @@ TEST(Pressing, LeavesAirBetweenTheFibres) {
       }
 }
 
+TEST(Pressing, FeltedYarnsSwellAtTheirCrossings) {
+  for (const double packing : {0.1, 0.3, 0.45}) {
+    double before = packingAtCrossings(packing);
+    for (const double felting : {0.25, 0.5, 0.75, 1.0}) {
+      EXPECT_LT(packingAtCrossings(packing, felting), before) << packing << " " << felting;
+      before = packingAtCrossings(packing, felting);
+    }
+    EXPECT_NEAR(before, packing, 1e-12) << "as open as between crossings";
+  }
+  for (const double packing : {0.5, 0.6, 0.7, 0.85})
+    EXPECT_EQ(packingAtCrossings(packing, 1), packingAtCrossings(packing)) << "nothing is closed by milling";
+}
+
 TEST(Pressing, YarnsLieNoNearerThanTheyAreHigh) {
   for (const double press : {0.0, 0.5, 1.0})
     for (const double packing : {0.5, 0.6, 0.7})
@@ -75,6 +88,26 @@ TEST(PressedYarn, FlatteningWidensAndLowers) {
   const YarnGeometry flat = ClothGeometry(fabric, 4, 4).yarn(System::warp, 0);
   EXPECT_NEAR(flat.halfWidth_mm() / usual.halfWidth_mm(), std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(flat.halfHeight_mm() * flat.halfWidth_mm(), usual.halfHeight_mm() * usual.halfWidth_mm(), 1e-9);
+}
+
+// The sett is that of the milled cloth, and no fibre comes to it: it is heavier only by the crimp.
+TEST(MilledCloth, IsThickerAndCoversMoreAndWeighsWhatItsYarnsDo) {
+  Fabric fabric = cloths::twill();
+  fabric.ends_per_cm = fabric.picks_per_cm = 12;
+  fabric.yarns[0].packing = 0.4;
+  fabric.yarns[0].hairiness_per_mm = 8;
+  const auto straightMass = [](const ClothMeasures& of) {
+    return of.arealMass_g_m2 / (2 + of.crimpWarp + of.crimpWeft);
+  };
+  ClothMeasures before = ClothGeometry(fabric, 4, 4).measure();
+  for (const double milling : {0.3, 0.6, 1.0}) {
+    fabric.milling = milling;
+    const ClothMeasures milled = ClothGeometry(fabric, 4, 4).measure();
+    EXPECT_GT(milled.thickness_mm, 1.02 * before.thickness_mm) << milling;
+    EXPECT_GT(milled.cover, 1.02 * before.cover) << milling;
+    EXPECT_NEAR(straightMass(milled) / straightMass(before), 1, 0.001) << milling;
+    before = milled;
+  }
 }
 
 }  // namespace

@@ -43,11 +43,11 @@ TEST(Finish, TheHairOfAYarnIsWhatSingeingAndBrushingChange) {
   yarn.hairiness_per_mm = 40;
   yarn.hairLength_mm = 2;
   Fabric fabric;
-  EXPECT_EQ(withFinishedHair(yarn, fabric), yarn);
+  EXPECT_EQ(withFinish(yarn, fabric), yarn);
   for (bool Fabric::* finish : {&Fabric::singed, &Fabric::brushed}) {
     fabric = {};
     fabric.*finish = true;
-    Yarn finished = withFinishedHair(yarn, fabric);
+    Yarn finished = withFinish(yarn, fabric);
     EXPECT_NE(finished.hairiness_per_mm, yarn.hairiness_per_mm);
     EXPECT_NE(finished.hairLength_mm, yarn.hairLength_mm);
     EXPECT_LE(finished.hairiness_per_mm, 50) << "the most that a yarn may have";
@@ -56,6 +56,52 @@ TEST(Finish, TheHairOfAYarnIsWhatSingeingAndBrushingChange) {
     finished.hairLength_mm = yarn.hairLength_mm;
     EXPECT_EQ(finished, yarn);
   }
+}
+
+TEST(Finish, MillingOpensYarnsThatHaveHairsAndMatsThem) {
+  Yarn yarn;
+  yarn.hairiness_per_mm = 9;
+  yarn.hairLength_mm = 1;
+  yarn.packing = 0.4;
+  yarn.fibreDisorder_deg = 6;
+  Fabric fabric;
+  Yarn before = yarn;
+  HairLie lieBefore = hairLieOf(fabric, System::warp);
+  for (const double milling : {0.25, 0.5, 0.75, 1.0}) {
+    fabric.milling = milling;
+    const Yarn milled = withFinish(yarn, fabric);
+    EXPECT_LT(milled.packing, before.packing) << milling;
+    EXPECT_GT(milled.fibreDisorder_deg, before.fibreDisorder_deg) << milling;
+    EXPECT_GT(milled.hairiness_per_mm, before.hairiness_per_mm) << milling;
+    EXPECT_GT(milled.hairLength_mm, before.hairLength_mm) << milling;
+    EXPECT_GT(hairLieOf(fabric, System::warp).lyingShare, lieBefore.lyingShare) << milling;
+    EXPECT_EQ(feltingOf(yarn, fabric), milling);
+    before = milled;
+    lieBefore = hairLieOf(fabric, System::warp);
+  }
+  EXPECT_LE(lieBefore.lyingShare, 1);
+  EXPECT_EQ(before.count_tex, yarn.count_tex);
+  EXPECT_EQ(before.plyTwist_per_m, yarn.plyTwist_per_m);
+}
+
+TEST(Finish, MillingKeepsWithinWhatAYarnMayBe) {
+  Yarn yarn;
+  yarn.hairiness_per_mm = 50;
+  yarn.hairLength_mm = 3;
+  yarn.packing = 0.05;
+  yarn.fibreDisorder_deg = 20;
+  Fabric fabric;
+  fabric.milling = 1;
+  EXPECT_EQ(withFinish(yarn, fabric), yarn);
+}
+
+TEST(Finish, MillingDoesNothingToFilaments) {
+  Yarn filament;
+  filament.hairiness_per_mm = 0;
+  Fabric fabric;
+  fabric.milling = 1;
+  EXPECT_EQ(withFinish(filament, fabric), filament);
+  EXPECT_EQ(feltingOf(filament, fabric), 0);
 }
 
 TEST(Hairiness, IsSetByWhatTestersMeasure) {
