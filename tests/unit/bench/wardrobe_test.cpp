@@ -11,6 +11,7 @@
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/long_floats.h"
+#include "core/geometry/cloth_geometry.h"
 #include "render/scene/fibre_bricks.h"
 #include "render/scene/scene.h"
 
@@ -70,6 +71,27 @@ TEST_P(WardrobeCloths, CoverWhatYarnsOfTheirWidthCan) {
   EXPECT_NEAR(coverOfYarns(1), of.round.fraction, 1e-12);
   EXPECT_GE(of.ours.cover, coverOfYarns(1));
   EXPECT_LE(of.ours.cover, coverOfYarns(1.9));
+}
+
+/// Threads in disorder lie no closer together than 0.82; yarns of cloth, wherever they go, leave more air. Jammed ones
+/// grow taller, so that each has room. By volume: loose fibres and what twist takes up count as if they lay in the
+/// body.
+TEST_P(WardrobeCloths, LeaveAirBetweenTheirFibres) {
+  const ClothGeometry cloth(fabricOf(*GetParam()), 8, 8);
+  for (const System system : {System::warp, System::weft})
+    for (int thread = 0; thread < 8; ++thread) {
+      const YarnGeometry& yarn = cloth.yarn(system, cloth.key(system, thread, thread).yarn);
+      const double fibres_mm2 = 1e-3 * yarn.count_tex / yarn.fibreDensity_g_cm3;
+      const double round_mm2 = kPi * yarn.coreRadius_mm() * yarn.coreRadius_mm();
+      const auto expectRoom = [&](const SectionScale& section) {
+        EXPECT_LE(fibres_mm2 / (round_mm2 * section.up * section.across), 0.8) << thread;
+      };
+      for (const SectionScale& section : yarn.pressed) {
+        expectRoom(section);
+        expectRoom(SectionEasing(section, section, yarn.free).at(0.5));
+      }
+      expectRoom(SectionEasing(yarn.pressed.front(), yarn.pressed.back(), yarn.free).at(0.5));
+    }
 }
 
 /// README names the one that has none.

@@ -64,7 +64,11 @@ double sharePressedTogether(const ClothGeometry& cloth, int pick, int end, doubl
 // Fibres that touch lie two radii apart. Yarns that give way to one another hardly run through each other: few pairs
 // come closer than one and a half.
 TEST(YarnsOfBothSystems, HardlyRunThroughEachOther) {
-  for (const Fabric& fabric : {cloths::plain(), cloths::twill(), cloths::pliedSatin()}) {
+  Fabric milled = cloths::twill();
+  milled.name = "milled";
+  milled.milling = 1;
+  milled.yarns[0].hairiness_per_mm = 5;
+  for (const Fabric& fabric : {cloths::plain(), cloths::twill(), cloths::pliedSatin(), milled}) {
     SCOPED_TRACE(fabric.name);
     const ClothGeometry cloth(fabric, 4, 4);
     EXPECT_LT(sharePressedTogether(cloth, 1, 2, 1.5), 0.02);
