@@ -10,10 +10,11 @@
 #include "core/geometry/cloth_geometry.h"
 #include "tests/bench/relaxation_cloths.h"
 
-// Crimp and thickness of cloth that nothing presses: ours in closed form, beside yarns of hard strands that were
-// relaxed; then how these lie at their crossings, which the law's rows are read off. bench_relaxation [POWER [TENSION
-// [NAME]]]: the power of a yarn's count that its stiffness goes by (2), the tension that is kept in the cloth (0.5
-// cN/tex), and only the constructions of such a name. The whole takes minutes of the processor.
+// Crimp and thickness of cloth: ours in closed form, beside yarns of hard strands that were relaxed; then how these lie
+// at their crossings, which the law's rows are read off. bench_relaxation [POWER [TENSION [PRESS [NAME]]]]: the power
+// of a yarn's count that its stiffness goes by (2), the tension that is kept in the cloth (0.5 cN/tex), Fabric::press
+// (0), and only the constructions of such a name. Pressed cloth lies between plates, which close by as much as pressing
+// makes ours thinner, so that its thickness proves nothing. The whole takes minutes of the processor.
 namespace loomlight {
 namespace {
 
@@ -43,26 +44,32 @@ std::string crossingsText(const Construction& of, const RelaxedMeasures& relaxed
   return text;
 }
 
-void printTables(const Relaxation& how, const std::string& name) {
+ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press) {
+  Fabric fabric = fabricOf(cloth);
+  fabric.press = press;
+  return ClothGeometry(fabric, fabric.weave.ends(), fabric.weave.picks(), nullptr, true).measure();
+}
+
+void printTables(Relaxation how, double press, const std::string& name) {
   fmt::print(
-      "Stiffness goes by the count to the power of {:g}, {:g} cN/tex are kept. Crimp in %, warp / weft; thickness "
-      "in mm.\n\n",
-      how.stiffnessPower, how.keptTension_cN_tex);
-  fmt::print("| construction | fitted | ours | relaxed | off by | overlap, drift |\n");
+      "Stiffness goes by the count to the power of {:g}, {:g} cN/tex are kept, press {:g}. Crimp in %, warp / weft; "
+      "thickness in mm.\n\n",
+      how.stiffnessPower, how.keptTension_cN_tex, press);
+  fmt::print("| construction | fitted | ours | relaxed | off by | overlap, drift, plates |\n");
   fmt::print("| --- | --- | --- | --- | --- | --- |\n");
   int within = 0, all = 0;
   std::string crossings;
   for (const Construction& of : constructions()) {
     if (std::string(of.name).find(name) == std::string::npos) continue;
-    const Fabric fabric = fabricOf(of.cloth);
-    const ClothMeasures ours =
-        ClothGeometry(fabric, fabric.weave.ends(), fabric.weave.picks(), nullptr, true).measure();
+    const ClothMeasures ours = inClosedForm(of.cloth, press);
+    how.plates = ours.thickness_mm / inClosedForm(of.cloth, 0).thickness_mm;
     const RelaxedMeasures relaxed = relax(of.cloth, how);
     const Gap gap = gapOf(ours, relaxed);
-    fmt::print("| {} | {} | {:.1f} / {:.1f}, {:.3f} | {:.1f} / {:.1f}, {:.3f} | {:.1f}, {:.0f} % | {:.2f}, {:.1f} |\n",
-               of.name, of.wasFitted ? "yes" : "no", 100 * ours.crimpWarp, 100 * ours.crimpWeft, ours.thickness_mm,
-               100 * relaxed.crimpWarp, 100 * relaxed.crimpWeft, relaxed.thickness_mm, gap.crimp, gap.thickness,
-               relaxed.overlap, 100 * relaxed.drift);
+    fmt::print(
+        "| {} | {} | {:.1f} / {:.1f}, {:.3f} | {:.1f} / {:.1f}, {:.3f} | {:.1f}, {:.0f} % | {:.2f}, {:.1f}, {:.3f} |\n",
+        of.name, of.wasFitted ? "yes" : "no", 100 * ours.crimpWarp, 100 * ours.crimpWeft, ours.thickness_mm,
+        100 * relaxed.crimpWarp, 100 * relaxed.crimpWeft, relaxed.thickness_mm, gap.crimp, gap.thickness,
+        relaxed.overlap, 100 * relaxed.drift, how.plates);
     std::fflush(stdout);
     within += gap.isWithin();
     ++all;
@@ -82,6 +89,7 @@ int main(int count, char** words) {
   loomlight::Relaxation how;
   if (count > 1) how.stiffnessPower = std::atof(words[1]);
   if (count > 2) how.keptTension_cN_tex = std::atof(words[2]);
-  loomlight::printTables(how, count > 3 ? words[3] : "");
+  const double press = count > 3 ? std::atof(words[3]) : 0;
+  loomlight::printTables(how, press, count > 4 ? words[4] : "");
   return 0;
 }

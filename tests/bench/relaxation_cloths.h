@@ -13,6 +13,10 @@ struct Construction {
   bool wasFitted;  ///< one of the eight that the law's constants were read off
   RelaxedCloth cloth;
   RelaxedMeasures relaxed;  ///< as bench_relaxation found it: crimps and thickness
+  /// Between plates, which closed by as much as Fabric::press of 0.5 makes ours thinner.
+  RelaxedMeasures pressed;
+  double plates = 1;             ///< that much, as a share of the thickness
+  bool isUnlikePressed = false;  ///< its weft keeps more crimp between plates than ours does when it is pressed
   /// One yarn floats where its partners bend both ways, which a law that knows no partners gets wrong.
   bool isRib = false;
 };
