@@ -60,8 +60,9 @@ constexpr const char* kChosenAfterwards =
     "twill, taffeta, linen and damask, and the picks of voile (23.0 per cm, before 22.8); the press of linen, damask "
     "and voile was changed, too, and set back, and the reason that is said for georgette was added. The gabardine's "
     "figures were set down after ours were looked at, as its first construction was heavier than what is sold. The "
-    "milling of flannel, tweed and blanket was chosen by their look when these figures were known, and the flannel's "
-    "once more so that its thickness is within the bound (0.65, before 0.6). Of all "
+    "milling of flannel, tweed and blanket was chosen by eye with these figures known, and the flannel's once more so "
+    "that its thickness is within the bound (0.65, before 0.6): a part of that is the nap, which is not modelled. Of "
+    "all "
     "else it is not on record whether it was chosen before a comparison or after one. A thickness that agrees is "
     "therefore no prediction.";
 

@@ -98,7 +98,7 @@ const WardrobeCloth kCloths[] = {
     {"tweed",
      "Tweed",
      kWardrobeTweed,
-     {"woollen Nm 5.2, 20 x 19 to the inch", 320, 1.10,
+     {"woollen Nm 5.2, 20 x 19 to the inch, milled", 320, 1.10,
       "mass: recalled, 470 to 500 g a metre of 150 cm; thickness: recalled, 1.0 to 1.2"}},
     {"tartan",
      "Tartan",
@@ -149,7 +149,7 @@ const WardrobeCloth kCloths[] = {
     {"blanket",
      "Wool blanket",
      kWardrobeBlanket,
-     {"woollen Nm 3, 7.2 x 6.6 per cm, raised", 500, 3.50,
+     {"woollen Nm 3, 7.2 x 6.6 per cm, milled and raised", 500, 3.50,
       "mass: recalled, 450 to 550; thickness: recalled, 3 to 4, nap included", kRaisedBlanket}},
 };
 

@@ -21,15 +21,16 @@ struct Yielding {
 };
 
 /// The packing that the law takes a yarn of this packing at, 0.5..0.7: pressing closes looser ones and opens denser.
-/// A felted one (0..1) has swollen after that, from one to the other.
+/// Felting (feltingOf(), 0..1) lets a looser yarn swell again: at 1 it is as loose at crossings as between them. It
+/// does nothing to a denser one.
 double packingAtCrossings(double packing, double felting = 0);
 
 /// Heights, widths and distances of yarns at their crossings. Washed (`press` 0), they are read off yarns that were
 /// relaxed as bundles of hard strands under the loom's tension (tests/bench/relaxation.h); pressed (0.5) and calendered
-/// (1), off an earlier such study with plates. Rows of spun yarn of packing 0.5 and of filament of packing 0.7; all
-/// between are interpolated. Filament spreads more, and comes to the same packing, 0.6 to 0.74. Sections there are
-/// superellipses of exponent 2.4; ours are ellipses as high, and wider by the 6 % that keep their area. Yarns lie no
-/// nearer than they are high together; inside a washed float they rise clear of each other.
+/// (1), off an earlier such study with plates (bench_relaxation compares both). Rows of spun yarn of packing 0.5 and of
+/// filament of packing 0.7; all between are interpolated. Filament spreads more, and comes to the same packing, 0.6 to
+/// 0.74. Sections there are superellipses of exponent 2.4; ours are ellipses as high, and wider by the 6 % that keep
+/// their area. Yarns lie no nearer than they are high together; inside a washed float they rise clear of each other.
 Yielding yieldingOf(double press, double packing, int floatState);
 
 /// The section of a yarn between two crossings, C1: from one's to the other's, and halfway eased a quarter of the way

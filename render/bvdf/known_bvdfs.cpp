@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/finish.h"
 #include "core/fabric/model/yarn_count.h"
 
 // How it works. A bake takes seconds, and the picture wants tables at once. So the tables of the fabric that was most
@@ -56,7 +57,7 @@ double unlikeness(const Fabric& fabricA, size_t a, const Fabric& fabricB, size_t
          0.5 * ratio(fabricA.ends_per_cm, fabricB.ends_per_cm) +
          0.5 * ratio(fabricA.picks_per_cm, fabricB.picks_per_cm) + std::abs(fabricA.press - fabricB.press) +
          0.5 * ratio(fabricA.crimpBalance, fabricB.crimpBalance) + (fabricA.singed == fabricB.singed ? 0 : 0.2) +
-         (fabricA.brushed == fabricB.brushed ? 0 : 1) + std::abs(fabricA.milling - fabricB.milling);
+         (fabricA.brushed == fabricB.brushed ? 0 : 1) + std::abs(feltingOf(x, fabricA) - feltingOf(y, fabricB));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr int kMostRebuilds = 4;
 Fabric fewFibres() {
   Fabric fabric = volume_test::hairyTwill();
   fabric.fibres[0].radius_um = 100;
-  fabric.yarns[0].hairiness_per_mm = 0;
+  fabric.yarns[0].hairiness_per_mm = 0.3;  // one or two, so that milling acts
   return fabric;
 }
 
@@ -26,7 +26,7 @@ Fabric reshaped(Fabric fabric, Choices& choices) {
     for (int& index : yarns) index = choices.from(0, 1);
     return yarns;
   };
-  switch (choices.below(13)) {
+  switch (choices.below(14)) {
     case 0:
       fabric.weave = fabric.weave.resized(choices.from(1, 12), choices.from(1, 12));
       break;
@@ -58,6 +58,9 @@ Fabric reshaped(Fabric fabric, Choices& choices) {
       fabric.press = 0.25 * choices.from(0, 4);
       break;
     case 10:
+      fabric.milling = 0.25 * choices.from(0, 4);
+      break;
+    case 11:
       fabric.settCv_percent = 5.0 * choices.from(0, 4);
       break;
     default: {

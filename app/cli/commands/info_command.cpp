@@ -185,6 +185,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["crimp_warp"] = of.measures.crimpWarp;
   json["crimp_weft"] = of.measures.crimpWeft;
   json["press"] = fabric.press;
+  json["milling"] = fabric.milling;
   addMill(json, fabric, of);
   json["yarns"] = yarnsJson(fabric, of);
   json["yarn_need"] = needsJson(of);
@@ -325,6 +326,7 @@ void printTable(const Fabric& fabric, const Information& of) {
   line("crimp of the warp", fmt::format("{:.1f} %", 100 * of.measures.crimpWarp));
   line("crimp of the weft", fmt::format("{:.1f} %", 100 * of.measures.crimpWeft));
   line("press", fmt::format("{:g}", fabric.press), "0 washed, 0.5 pressed, 1 calendered");
+  if (fabric.milling > 0) line("milling", fmt::format("{:g}", fabric.milling), "0 clear, 1 felted");
   fmt::print("  All of this is of the finished cloth, at the setts given.\n");
   printMill(fabric, of);
   printYarns(fabric, of);

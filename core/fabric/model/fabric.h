@@ -173,7 +173,7 @@ struct Fabric {
   double press = 0.5;                  ///< finish: 0 washed and relaxed, 0.5 pressed, 1 calendered
   bool singed = false;                 ///< finish: loose fibres are burnt off
   bool brushed = false;                ///< finish: loose fibres are raised on the face, along the warp
-  double milling = 0;                  ///< finish: 0 clear, 1 felted: yarns of staple swell, their surface mats
+  double milling = 0;                  ///< finish: 0 clear, 1 felted: yarns of staple fibre swell, and mat
   bool mercerised = false;             ///< finish: cotton is swollen in lye, round and lustrous
   double crimpBalance = 1.0;           ///< of warp against weft, 0.25..4; 1: their stiffness and setts decide
   std::vector<Yarn> yarns{Yarn{}};     ///< 1..64

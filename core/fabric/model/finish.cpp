@@ -7,7 +7,8 @@
 
 // How it works. A finish is a closed-form change of what the yarns and fibres are as spun; geometry and scattering are
 // made of what it returns, and files keep the yarn as it was bought. The factors are guesses by the look of cloth: the
-// trade measures singeing by the hair that is left, which is a third to a tenth.
+// trade measures singeing by the hair that is left, which is a third to a tenth. What would be more hair than a yarn
+// may have is cut off: on a cloth that is hairy as spun, and brushed, milling hardly adds any.
 
 namespace loomlight {
 namespace {
@@ -17,9 +18,9 @@ struct HairFactors {
 };
 constexpr HairFactors kSinged{0.35, 0.4}, kBrushed{1.8, 1.6}, kMilled{3, 1.3};
 
-constexpr double kSwelling = 0.45;          // of the packing, what milling takes
-constexpr double kMilledDisorder_deg = 12;  // what it adds to the fibres' own
-constexpr double kMatted = 0.75;            // of the hairs that stand, how many it lays
+constexpr double kSwelling = 0.45;       // of the packing, what milling takes
+constexpr double kMilledDisorder = 0.9;  // of what the fibres' disorder lacks to the most that a yarn may have
+constexpr double kMatted = 0.75;         // of the hairs that stand, how many it lays
 
 constexpr double kLustre = 0.6;  // of the roughness, what mercerising leaves
 
@@ -31,7 +32,7 @@ constexpr double kClimbing = 1.09, kLooping = 1.05;  // longer than their way al
 }  // namespace
 
 double feltingOf(const Yarn& yarn, const Fabric& fabric) {
-  return yarn.hairiness_per_mm > 0 ? fabric.milling : 0.0;
+  return isSpun(yarn) ? fabric.milling : 0.0;
 }
 
 Yarn withFinish(Yarn yarn, const Fabric& fabric) {
@@ -47,7 +48,7 @@ Yarn withFinish(Yarn yarn, const Fabric& fabric) {
   apply({1 + felting * (kMilled.number - 1), 1 + felting * (kMilled.length - 1)});
   const FieldInfo packing = fieldInfo(&Yarn::packing), disorder = fieldInfo(&Yarn::fibreDisorder_deg);
   yarn.packing = std::max(packing.min, yarn.packing * (1 - kSwelling * felting));
-  yarn.fibreDisorder_deg = std::min(yarn.fibreDisorder_deg + kMilledDisorder_deg * felting, disorder.max);
+  yarn.fibreDisorder_deg += kMilledDisorder * felting * (disorder.max - yarn.fibreDisorder_deg);
   return yarn;
 }
 

@@ -13,14 +13,14 @@ struct HairLie {
 };
 
 /// The yarn as the finish leaves it. Singeing burns most of its hair off, short; brushing draws more and longer ends
-/// out of it. Milling, of a yarn that has hairs, draws fibres out of it, opens it and lets the others stray. Nothing
-/// else of it changes.
+/// out of it. Milling, of a felted yarn, draws out more and longer hair, opens the packing and adds to the fibres'
+/// disorder. No other field of it changes.
 Yarn withFinish(Yarn yarn, const Fabric& fabric);
-/// How far milling has felted the yarn: Fabric::milling of one that has hairs, else 0.
+/// How far milling has felted the yarn, 0..1: Fabric::milling of one of staple fibre (isSpun()), whatever the fibre; 0
+/// of filaments.
 double feltingOf(const Yarn& yarn, const Fabric& fabric);
 /// Of the yarns of a system. Calendering, the upper half of Fabric::press, lays the last of what stands free, and
-/// milling most. Cloth is
-/// brushed along the warp, towards the higher picks.
+/// milling lays up to three quarters of it. Cloth is brushed along the warp, towards the higher picks.
 HairLie hairLieOf(const Fabric& fabric, System system);
 /// The fibre as the finish leaves it. Mercerising swells cotton, whose section is a kidney, until it is round and
 /// smooth; it does nothing to a fibre of another section. Neither fineness nor dye change.

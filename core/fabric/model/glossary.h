@@ -191,10 +191,9 @@ inline constexpr Word brushed{"Brushed",
                               "flannel. It takes yarns that have hairs."};
 inline constexpr Word milling{
     "Milling",
-    "How far wool is milled (fulled): its scales work into one another, yarns swell, and their surface mats until the "
-    "weave hardly shows. 0 clear, as worsted suits are; 0.5 flannel and tweed; 1 blankets and loden. It takes yarns "
-    "that "
-    "have hairs. The setts are those after it."};
+    "How far cloth of wool is milled (fulled): its fibres work into one another, yarns swell, and their surface mats "
+    "until the weave hardly shows. 0 clear, as worsted suits are; 0.6 to 0.8 flannel, tweed and blankets; 1 loden. It "
+    "acts on all yarns of staple fibre. The setts are those after it."};
 inline constexpr Word mercerised{
     "Mercerised",
     "Cotton is swollen in lye: its fibres become round and smooth, and lustrous. It acts on "

@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/finish.h"
 #include "render/bvdf/bake/bvdf_patch.h"
 #include "render/bvdf/bvdf_counts.h"
 #include "render/bvdf/local_cell.h"
@@ -55,7 +56,8 @@ HotSpot hotSpotOf(const Scene& scene, int yarn) {
   const float halfCell = std::cbrt(leaf.x * leaf.y * leaf.z);
   // A system that does not use the yarn has no radius for it.
   const float radius = std::max(scene.cloth->yarns[0][yarn].fibreRadius_mm, scene.cloth->yarns[1][yarn].fibreRadius_mm);
-  return HotSpot::of(radius > 0 ? radius : halfCell, static_cast<float>(scene.fabric->yarns[yarn].packing), halfCell);
+  const double packing = withFinish(scene.fabric->yarns[yarn], *scene.fabric).packing;
+  return HotSpot::of(radius > 0 ? radius : halfCell, static_cast<float>(packing), halfCell);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/fabric/model/finish.h"
 #include "render/bvdf/bake/bvdf_patch.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_cloth.h"
@@ -123,6 +124,20 @@ TEST(ExpectedBvdf, IsTheHotSpotLawThatTheBakerMeasuresAgainst) {
     EXPECT_FLOAT_EQ(expected->of(yarn).occlusion(wi, wo), baked->of(yarn).hotSpot().occlusion(wi, wo));
     EXPECT_EQ(expected->of(yarn).occlusion(wo, wo), 0);
   }
+}
+
+// Depth times reach is 4 packing / pi, whatever the fibres' radius and the size of the cell.
+TEST(ExpectedBvdf, OfMilledYarnsIsOfThePackingThatTheyHaveOpenedTo) {
+  Fabric fabric = stripes();
+  fabric.yarns[1].hairiness_per_mm = 2;
+  fabric.milling = 1;
+  const auto expected = expectedBvdf(*test::sceneOf(fabric), kCoarse);
+  const auto packingOf = [&](int yarn) {
+    const HotSpot& law = expected->of(yarn).hotSpot();
+    return 0.25 * kPi * law.depth * law.reach;
+  };
+  EXPECT_NEAR(packingOf(0), fabric.yarns[0].packing, 1e-6) << "filament";
+  EXPECT_NEAR(packingOf(1), withFinish(fabric.yarns[1], fabric).packing, 1e-6);
 }
 
 TEST(BvdfRecipe, HasWhatFibresDependOnAndNothingElse) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fabric/model/finish.h"
 #include "core/geometry/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
 
@@ -90,7 +91,7 @@ TEST(PressedYarn, FlatteningWidensAndLowers) {
   EXPECT_NEAR(flat.halfHeight_mm() * flat.halfWidth_mm(), usual.halfHeight_mm() * usual.halfWidth_mm(), 1e-9);
 }
 
-// The sett is that of the milled cloth, and no fibre comes to it: it is heavier only by the crimp.
+// Milling changes neither setts nor counts, so mass changes only with crimp. Sections grow as the packing falls.
 TEST(MilledCloth, IsThickerAndCoversMoreAndWeighsWhatItsYarnsDo) {
   Fabric fabric = cloths::twill();
   fabric.ends_per_cm = fabric.picks_per_cm = 12;
@@ -99,14 +100,22 @@ TEST(MilledCloth, IsThickerAndCoversMoreAndWeighsWhatItsYarnsDo) {
   const auto straightMass = [](const ClothMeasures& of) {
     return of.arealMass_g_m2 / (2 + of.crimpWarp + of.crimpWeft);
   };
-  ClothMeasures before = ClothGeometry(fabric, 4, 4).measure();
+  const auto sectionOf = [](const ClothGeometry& cloth) {
+    const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
+    return yarn.halfHeight_mm() * yarn.halfWidth_mm();
+  };
+  const ClothGeometry clear(fabric, 4, 4);
+  ClothMeasures before = clear.measure();
   for (const double milling : {0.3, 0.6, 1.0}) {
     fabric.milling = milling;
-    const ClothMeasures milled = ClothGeometry(fabric, 4, 4).measure();
-    EXPECT_GT(milled.thickness_mm, 1.02 * before.thickness_mm) << milling;
-    EXPECT_GT(milled.cover, 1.02 * before.cover) << milling;
-    EXPECT_NEAR(straightMass(milled) / straightMass(before), 1, 0.001) << milling;
-    before = milled;
+    const ClothGeometry milled(fabric, 4, 4);
+    const ClothMeasures measures = milled.measure();
+    EXPECT_GT(measures.thickness_mm, before.thickness_mm) << milling;
+    EXPECT_GT(measures.cover, before.cover) << milling;
+    EXPECT_NEAR(straightMass(measures) / straightMass(before), 1, 0.001) << milling;
+    const double packing = packingAtCrossings(withFinish(fabric.yarns[0], fabric).packing, milling);
+    EXPECT_NEAR(sectionOf(milled) / sectionOf(clear), packingAtCrossings(0.4) / packing, 1e-9) << milling;
+    before = measures;
   }
 }
 

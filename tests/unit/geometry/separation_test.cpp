@@ -15,7 +15,7 @@ double separation(double disorder_deg, double migration = 0, FibreLayout layout 
   yarn.fibreDisorder_deg = disorder_deg;
   yarn.layout = layout;
   const Fibre fibre;
-  YarnGeometry geometry = outlineYarn(yarn, fibre, 0.4, 0.4, 0.5);
+  YarnGeometry geometry = outlineYarn(yarn, fibre, 0.4, 0.4, 0.5, 0);
   resolveTwist(geometry, yarn, 0.42);
   return makeYarnModel(sourceOf(geometry, yarn, fibre))->separation;
 }

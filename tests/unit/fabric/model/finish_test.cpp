@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fabric/model/changes.h"
+#include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/yarn_count.h"
 
 namespace loomlight {
@@ -63,7 +64,7 @@ TEST(Finish, MillingOpensYarnsThatHaveHairsAndMatsThem) {
   yarn.hairiness_per_mm = 9;
   yarn.hairLength_mm = 1;
   yarn.packing = 0.4;
-  yarn.fibreDisorder_deg = 6;
+  yarn.fibreDisorder_deg = 13;
   Fabric fabric;
   Yarn before = yarn;
   HairLie lieBefore = hairLieOf(fabric, System::warp);
@@ -84,12 +85,18 @@ TEST(Finish, MillingOpensYarnsThatHaveHairsAndMatsThem) {
   EXPECT_EQ(before.plyTwist_per_m, yarn.plyTwist_per_m);
 }
 
+TEST(Finish, MillingChangesWhereYarnsLie) {
+  Fabric before, after;
+  after.milling = 0.5;
+  EXPECT_TRUE(changes(before, after).stages.any(Stage::grid));
+}
+
 TEST(Finish, MillingKeepsWithinWhatAYarnMayBe) {
   Yarn yarn;
-  yarn.hairiness_per_mm = 50;
-  yarn.hairLength_mm = 3;
-  yarn.packing = 0.05;
-  yarn.fibreDisorder_deg = 20;
+  yarn.hairiness_per_mm = fieldInfo(&Yarn::hairiness_per_mm).max;
+  yarn.hairLength_mm = fieldInfo(&Yarn::hairLength_mm).max;
+  yarn.packing = fieldInfo(&Yarn::packing).min;
+  yarn.fibreDisorder_deg = fieldInfo(&Yarn::fibreDisorder_deg).max;
   Fabric fabric;
   fabric.milling = 1;
   EXPECT_EQ(withFinish(yarn, fabric), yarn);
