@@ -169,11 +169,24 @@ bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& opti
   return true;
 }
 
-/// The kind of processor that shows in what was traced, of `mine`; empty where none does. Tables of visibility may be
-/// from a folder that others share.
-std::string processorOf(const MediumCost& medium, const TraceCounts& counts, const std::string& mine) {
-  if (medium.bvdfBytes > 0) return fmt::format("{:016x}", medium.bvdfChecksum);
-  return counts.amongFibres > 0 ? mine : "";
+/// The kind of processor that shows where it shows: that of the tables of visibility, which may be from a folder that
+/// others share, or this one's.
+std::string kindOf(const MediumCost& medium) {
+  return medium.bvdfBytes > 0 ? fmt::format("{:016x}", medium.bvdfChecksum) : processorKind();
+}
+
+/// Before it costs hours: samples that another kind of processor began have other last bits, so that a part would go
+/// with no other part. A whole picture may be gone on with, which is said.
+void expectKind(const std::string& kind, const Begun& picture, const std::string& resumed) {
+  const std::string& begun = picture.origin.processor;
+  if (begun.empty() || begun == kind) return;
+  const std::string others =
+      fmt::format("{}: begun by {}, this one is {}", resumed,
+                  begun == kSeveralKinds ? "several kinds of processor" : "another kind of processor, " + begun, kind);
+  const RenderSettings& settings = picture.fabric->render;
+  if (picture.box != SampleBox::of({0, 0, settings.width, settings.height}, 0, settings.samplesPerPixel))
+    throw InputError(others + "; expected a part of this kind, as merge takes parts of one kind only");
+  fmt::print(stderr, "loomlight: {}; its last bits will be of neither\n", others);
 }
 
 /// Of what there is and of what is added. Throws unless these are of the same files and fibres, whoever traced them; a
@@ -244,16 +257,17 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
   }
   SampleOrigin origin = originWith(picture.origin, command.resume, *picture.fabric, fibresLaid(*built.scene, fibres),
                                    inputOf(command, job));
+  const std::string kind = kindOf(built.cost);  // may throw, which after the work would cost all of it
+  expectKind(kind, picture, command.resume);
   const PixelRect window = picture.box.window();
   const int wanted = picture.box.high.z - picture.box.low.z;
   fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", window.width, window.height,
              wanted, task.threads);
-  const std::string kind = processorKind();  // may throw, which after the work would cost all of it
   TraceCounts counts;
   Stopwatch watch;
   const bool complete = trace(built, picture, task, command.progress, counts);
   const double render_s = watch.lap();
-  origin.processor = withKind(picture.origin.processor, processorOf(built.cost, counts, kind));
+  origin.processor = withKind(picture.origin.processor, built.cost.bvdfBytes > 0 || counts.amongFibres > 0 ? kind : "");
 
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
   write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(), origin);

@@ -164,9 +164,17 @@ class Merge(CommandLineTest):
         self.run_program("render", "--resume", "a.exr", "-o", "same.exr", "--samples", 4)
         self.part("b.exr", 4, 3, "--method", "fibres")
         self.run_program("merge", "same.exr", "b.exr", "-o", "merged.exr")
+        another, _ = self.of_another_processor("a.exr")
+        message = self.run_program("render", "--resume", "a.exr", "-o", "both.exr", "--samples", 4, status=1)
+        self.assertRegex(message, r"a\.exr: begun by another kind of processor, \w+, this one is " + another)
+        self.assertFalse((self.folder / "both.exr").exists())
+
+    def test_a_picture_that_one_kind_of_processor_began_may_be_gone_on_with_by_another(self):
+        self.render("a.exr", "--method", "fibres", "--keep-sums", spp=4)
         self.of_another_processor("a.exr")
-        self.run_program("render", "--resume", "a.exr", "-o", "both.exr", "--samples", 4)
-        self.assertIn("both.exr: expected samples of one kind of processor", self.refused("b.exr", "both.exr"))
+        message = self.run_program("render", "--resume", "a.exr", "-o", "both.exr", "--spp", 7, "--keep-sums", messages=True)
+        self.assertIn("another kind of processor", message)
+        self.assertIn("both.exr: expected samples of one kind of processor", self.refused("both.exr"))
 
     def test_other_fibres_are_another_picture(self):
         fibres = ("--method", "fibres", "--drape", "flat", "--fibres-extent")
