@@ -62,8 +62,7 @@ constexpr const char* kChosenAfterwards =
     "figures were set down after ours were looked at, as its first construction was heavier than what is sold. The "
     "milling of flannel, tweed and blanket was chosen by eye with these figures known, and the flannel's once more so "
     "that its thickness is within the bound (0.65, before 0.6): a part of that is the nap, which is not modelled. Of "
-    "all "
-    "else it is not on record whether it was chosen before a comparison or after one. A thickness that agrees is "
+    "all else it is not on record whether it was chosen before a comparison or after one. A thickness that agrees is "
     "therefore no prediction.";
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/base/units.h"
-#include "core/geometry/cloth_geometry.h"
 #include "tests/bench/relaxation_cloths.h"
 
 // Crimp and thickness of cloth: ours in closed form, beside yarns of hard strands that were relaxed; then how these lie
@@ -42,12 +41,6 @@ std::string crossingsText(const Construction& of, const RelaxedMeasures& relaxed
     }
   }
   return text;
-}
-
-ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press) {
-  Fabric fabric = fabricOf(cloth);
-  fabric.press = press;
-  return ClothGeometry(fabric, fabric.weave.ends(), fabric.weave.picks(), nullptr, true).measure();
 }
 
 void printTables(Relaxation how, double press, const std::string& name) {

@@ -45,6 +45,27 @@ RelaxedMeasures found(double crimpWarp_percent, double crimpWeft_percent, double
   measures.thickness_mm = thickness_mm;
   return measures;
 }
+Fabric fabricOf(const RelaxedCloth& cloth, double press) {
+  Fabric fabric;
+  fabric.weave = cloth.weave;
+  fabric.ends_per_cm = cloth.ends_per_cm;
+  fabric.picks_per_cm = cloth.picks_per_cm;
+  fabric.press = press;
+  fabric.fibres.assign(2, fabric.fibres[0]);
+  fabric.yarns.assign(2, fabric.yarns[0]);
+  for (size_t i = 0; i < 2; ++i) {
+    const RelaxedYarn& yarn = i == 0 ? cloth.warp : cloth.weft;
+    fabric.fibres[i].density_g_cm3 = yarn.density_g_cm3;
+    fabric.yarns[i].fibre = static_cast<int>(i);
+    fabric.yarns[i].count_tex = yarn.count_tex;
+    fabric.yarns[i].packing = yarn.packing;
+    fabric.yarns[i].plyTwist_per_m = yarn.twist_per_m;
+  }
+  fabric.warpSequence = {0};
+  fabric.weftSequence = {1};
+  return fabric;
+}
+
 constexpr bool kUnlikePressed = true, kRib = true;
 
 }  // namespace
@@ -92,25 +113,9 @@ std::vector<Construction> constructions() {
   };
 }
 
-Fabric fabricOf(const RelaxedCloth& cloth) {
-  Fabric fabric;
-  fabric.weave = cloth.weave;
-  fabric.ends_per_cm = cloth.ends_per_cm;
-  fabric.picks_per_cm = cloth.picks_per_cm;
-  fabric.press = 0;
-  fabric.fibres.assign(2, fabric.fibres[0]);
-  fabric.yarns.assign(2, fabric.yarns[0]);
-  for (size_t i = 0; i < 2; ++i) {
-    const RelaxedYarn& yarn = i == 0 ? cloth.warp : cloth.weft;
-    fabric.fibres[i].density_g_cm3 = yarn.density_g_cm3;
-    fabric.yarns[i].fibre = static_cast<int>(i);
-    fabric.yarns[i].count_tex = yarn.count_tex;
-    fabric.yarns[i].packing = yarn.packing;
-    fabric.yarns[i].plyTwist_per_m = yarn.twist_per_m;
-  }
-  fabric.warpSequence = {0};
-  fabric.weftSequence = {1};
-  return fabric;
+ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press) {
+  const Fabric fabric = fabricOf(cloth, press);
+  return ClothGeometry(fabric, fabric.weave.ends(), fabric.weave.picks(), nullptr, true).measure();
 }
 
 }  // namespace loomlight

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/fabric/model/fabric.h"
+#include "core/geometry/cloth_geometry.h"
 #include "tests/bench/relaxation.h"
 
 namespace loomlight {
@@ -22,7 +22,8 @@ struct Construction {
 };
 std::vector<Construction> constructions();
 
-/// The same cloth, washed, as the program makes it: even singles that flatten as most do.
-Fabric fabricOf(const RelaxedCloth& cloth);
+/// The same cloth, as the program makes it in closed form: even singles that flatten as most do. `press`:
+/// Fabric::press, 0 washed.
+ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press);
 
 }  // namespace loomlight

@@ -154,6 +154,10 @@ class Merge(CommandLineTest):
         self.run_program("merge", "a.exr", "b.exr", "-o", "merged.exr")
         self.of_another_processor("b.exr")
         self.assertIn("kind of processor", self.refused("a.exr", "b.exr"))
+        self.run_program("render", "--resume", "a.exr", "-o", "longer.exr", "--samples", 5, **own)
+        self.of_another_processor("a.exr")
+        message = self.run_program("render", "--resume", "a.exr", "-o", "longer.exr", "--samples", 5, status=1, **own)
+        self.assertIn("begun by another kind of processor", message)
 
     def test_the_volume_is_of_any_processor(self):
         self.part("a.exr", 0, 4)
@@ -172,7 +176,8 @@ class Merge(CommandLineTest):
     def test_a_picture_that_one_kind_of_processor_began_may_be_gone_on_with_by_another(self):
         self.render("a.exr", "--method", "fibres", "--keep-sums", spp=4)
         self.of_another_processor("a.exr")
-        message = self.run_program("render", "--resume", "a.exr", "-o", "both.exr", "--spp", 7, "--keep-sums", messages=True)
+        message = self.run_program("render", "--resume", "a.exr", "-o", "both.exr", "--spp", 7, "--keep-sums",
+                                   messages=True)
         self.assertIn("another kind of processor", message)
         self.assertIn("both.exr: expected samples of one kind of processor", self.refused("both.exr"))
 
