@@ -54,14 +54,13 @@ Points hexagonal(int count, double spacing, Random& random) {
 /// Pushes overlapping discs apart, from within the rim, until none overlap. Where the rim leaves too little room, the
 /// rim gives way: the later sweeps leave it free.
 void relax(Points& points, const HelicalFibres& fibres, double rim, const Task& task) {
+  SectionLanes sections = sideBySide({&points, 1});
   Parting parting(fibres);
   for (int sweep = 0; sweep < kRelaxations && !task.stopped(); ++sweep) {
-    if (sweep < kRelaxations / 4) {
-      for (glm::dvec2& p : points)
-        if (const double reach = glm::length(p); reach > rim) p *= rim / reach;
-    }
-    if (parting.sweep(points) < kTouching * fibres.radius_mm) return;
+    if (sweep < kRelaxations / 4) keepWithin(sections, rim);
+    if (parting.sweep(sections) < kTouching * fibres.radius_mm) break;
   }
+  points = sectionOf(sections, 0);
 }
 
 }  // namespace

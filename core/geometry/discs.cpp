@@ -2,161 +2,73 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 // How it works. A sweep pushes every pair of fibres that overlap apart by half of what is wanting each. Distance is
 // measured as the fibres lie in the yarn, pressed and inclined, not in the round section (HelicalFibres::apartSquare).
-// Pairs that could overlap are found with some slack, and serve until a fibre has moved by half of that slack. They are
-// looked for ring by ring about the axis: fibres that are inclined reach far around it and no farther towards it, so
-// that squares as wide as their reach would hold fifty times the pairs that touch.
+// Eight sections are swept at once, side by side in SIMD lanes: a pair is looked at in all of them if it could overlap
+// in one, and stays where it is in the others. Such pairs are found with some slack, and serve until a fibre has moved
+// by half of that slack. They are found among those that are as far from the axis, or nearly: fibres that are inclined
+// reach far around the axis and no farther towards it.
 
 namespace loomlight {
 namespace {
 
-/// Fibres in rings about the axis, and by their angle within each ring. Two that touch lie in one ring or in two that
-/// are neighbours, if no fibres farther apart in radius than a ring is thick can touch. Those of a ring lie one after
-/// the other in memory, so that one fibre is held against many in SIMD lanes.
-class Rings {
- public:
-  /// `order`: all points, as the rings held them when they were looked for last, or empty; as these hold them, after.
-  Rings(const DiscCentres& points, double thickness, std::vector<int>& order) : thickness_(thickness) {
-    std::vector<Key> keys(points.size());
-    for (size_t i = 0; i < points.size(); ++i)
-      keys[i] = {static_cast<int>(std::min(glm::length(points[i]) / thickness, kMostRings)),
-                 std::atan2(points[i].y, points[i].x)};
-    sort(keys, order);
-    start_.assign(order.empty() ? 1 : static_cast<size_t>(keys[static_cast<size_t>(order.back())].ring) + 3, 0);
-    for (const Key& key : keys) ++start_[static_cast<size_t>(key.ring) + 1];
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    for (std::vector<double>* column : {&angles_, &up_, &across_}) column->reserve(points.size());
-    for (const int i : order) {
-      angles_.push_back(keys[static_cast<size_t>(i)].angle);
-      up_.push_back(points[static_cast<size_t>(i)].x);
-      across_.push_back(points[static_cast<size_t>(i)].y);
-    }
-    indices_ = order;
-  }
+double leastLane(double a) {
+  return a;
+}
+double leastLane(Float32x8 a) {
+  float least = a[0];
+  for (int lane = 1; lane < kLanes<Float32x8>; ++lane) least = std::min(least, a[lane]);
+  return least;
+}
+double mostLane(double a) {
+  return a;
+}
+double mostLane(Float32x8 a) {
+  return -leastLane(-a);
+}
 
-  /// Calls visit(i, j, square of their distance) once for every two that lie nearer than `near` to each other in the
-  /// yarn, mm. In the section these may be reach(radius) apart and no more, in the points' unit, where `radius` is how
-  /// far out their rings go.
-  template <class Reach, class Visit>
-  void pairs(double near, const HelicalFibres& fibres, const Reach& reach, const Visit& visit) {
-    squares_.resize(indices_.size());
-    const int rings = static_cast<int>(start_.size()) - 2;
-    for (int ring = 0; ring < rings; ++ring) {
-      const double angle = widestAngle(ring * thickness_, reach((ring + 2) * thickness_));
-      const Range own = of(ring), next = of(ring + 1);
-      Window onward{own}, around{next};
-      for (size_t a = own.begin; a < own.end; ++a) {
-        const auto hold = [&](Range range) { nearIn(range, a, near, fibres, visit); };
-        if (angle >= kPi) {
-          hold({a + 1, own.end});
-          hold(next);
-          continue;
-        }
-        onward.begin = a + 1;
-        follow(onward, angles_[a], angle);
-        hold({onward.begin, onward.end});
-        hold({own.begin, std::min(onward.wrapped, a)});  // itself is a whole turn away
-        const double from = angles_[a] - angle;
-        seek(around, from < -kPi ? from + 2 * kPi : from);
-        follow(around, around.first, 2 * angle);
-        hold({around.begin, around.end});
-        hold({next.begin, around.wrapped});
-      }
-    }
-  }
-
- private:
-  static constexpr double kMostRings = 1e6;
-  struct Key {
-    int ring;
-    double angle;  ///< radians, -pi to pi
-  };
-  struct Range {
-    size_t begin, end;
-  };
-  /// Members of a ring within an angle. It moves on around the ring with those that it is asked for, which are asked
-  /// for by their angles: so it is found without a search.
-  struct Window {
-    explicit Window(Range r) : ring(r), begin(r.begin), end(r.begin), wrapped(r.begin) {}
-    Range ring;
-    size_t begin, end;
-    size_t wrapped;           ///< past the ring's end: as many of its beginning, up to here
-    double first = -2 * kPi;  ///< angle from which it was sought
-  };
-
-  /// By ring, by angle there, and by number. Fibres that have moved a little are in order but for a few.
-  static void sort(const std::vector<Key>& keys, std::vector<int>& order) {
-    const auto before = [&keys](int a, int b) {
-      const Key &one = keys[static_cast<size_t>(a)], &other = keys[static_cast<size_t>(b)];
-      return std::tie(one.ring, one.angle, a) < std::tie(other.ring, other.angle, b);
-    };
-    if (order.size() != keys.size()) {
-      order.resize(keys.size());
-      std::iota(order.begin(), order.end(), 0);
-      std::sort(order.begin(), order.end(), before);
-      return;
-    }
-    for (size_t k = 1; k < order.size(); ++k)
-      for (size_t to = k; to > 0 && before(order[to], order[to - 1]); --to) std::swap(order[to], order[to - 1]);
-  }
-
-  Range of(int ring) const { return {start_[static_cast<size_t>(ring)], start_[static_cast<size_t>(ring) + 1]}; }
-
-  /// As two points see each other from the axis that lie at least `innermost` from it and at most `reach` apart.
-  static double widestAngle(double innermost, double reach) {
-    return reach < 2 * innermost ? 2 * std::asin(0.5 * reach / innermost) : kPi;
-  }
-
-  /// Begins the window with the first member whose angle is `first` or more. Angles that are sought rise, but for one
-  /// step back by a whole turn, where the window begins anew.
-  void seek(Window& window, double first) const {
-    if (first < window.first) window = Window{window.ring};
-    window.first = first;
-    while (window.begin < window.ring.end && angles_[window.begin] < first) ++window.begin;
-  }
-
-  /// Ends the window with the last member within an angle of `first`, on the far side of a whole turn too.
-  void follow(Window& window, double first, double angle) const {
-    window.end = std::max(window.end, window.begin);
-    while (window.end < window.ring.end && angles_[window.end] - first <= angle) ++window.end;
-    window.wrapped = window.ring.begin;
-    if (window.end < window.ring.end) return;
-    while (window.wrapped < window.begin && angles_[window.wrapped] + 2 * kPi - first <= angle) ++window.wrapped;
-  }
-
-  /// Those of a range that are near to member `a`. All distances first, which takes no branches.
-  template <class Visit>
-  void nearIn(Range range, size_t a, double near, const HelicalFibres& fibres, const Visit& visit) {
-    const glm::dvec2 from(up_[a], across_[a]);
-    for (size_t b = range.begin; b < range.end; ++b)
-      squares_[b] = fibres.apartSquare(from, glm::dvec2(up_[b], across_[b]));
-    for (size_t b = range.begin; b < range.end; ++b)
-      if (squares_[b] < near * near) visit(indices_[a], indices_[b], squares_[b]);
-  }
-
-  double thickness_;
-  std::vector<size_t> start_;  ///< of each ring, and of two empty ones beyond the last
-  // Of each member, ring by ring and by their angles there.
-  std::vector<double> angles_;       ///< radians, -pi to pi
-  std::vector<double> up_, across_;  ///< where it lies
-  std::vector<int> indices_;
-  std::vector<double> squares_;  ///< of distances, while one is held against others
-};
-
-/// Calls visit(i, j, square of their distance) for every two that are nearer than `near` as they lie in the yarn, mm;
-/// `order`: see Rings.
-template <class Visit>
-void forPairsWithin(double near, const DiscCentres& centres, const HelicalFibres& fibres, std::vector<int>& order,
+/// Calls visit(i, j, squares of their distances) once for every two fibres that are nearer than `near`, as they lie in
+/// the yarn, mm, in any of the sections. Takes some n^2 / 8 steps for n fibres.
+template <class T, class Visit>
+void forPairsWithin(double near, const std::vector<PlaceOf<T>>& sections, const HelicalFibres& fibres,
                     const Visit& visit) {
+  struct Fibre {
+    PlaceOf<T> place;
+    double inner, outer;  ///< its least and its largest distance from the axis, over all sections
+    int index;
+  };
+  std::vector<Fibre> sorted;
+  sorted.reserve(sections.size());
+  double outermost = 0;
+  for (size_t i = 0; i < sections.size(); ++i) {
+    const PlaceOf<T>& p = sections[i];
+    const T radius = squareRoot(p.up * p.up + p.across * p.across);
+    sorted.push_back({p, leastLane(radius), mostLane(radius), static_cast<int>(i)});
+    outermost = std::max(outermost, sorted.back().outer);
+  }
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Fibre& a, const Fibre& b) { return std::tie(a.inner, a.index) < std::tie(b.inner, b.index); });
   const auto [narrowest, widest] = std::minmax(fibres.section.up, fibres.section.across);
   // What is foreshortened is the way around the axis: towards it, fibres are as near as they look.
-  const double thickness = near / narrowest;
-  const auto reach = [&](double radius) { return thickness / fibres.cosineAt(radius * radius * widest * widest); };
-  Rings(centres, thickness, order).pairs(near, fibres, reach, visit);
+  const double towards = near / narrowest;
+  // However inclined they are, two fibres are no nearer than what they seem to be, by the steepest one's cosine.
+  const double cosine = fibres.cosineAt(widest * widest * outermost * outermost);
+  const T seeming = broadcast<T>(near * near / (cosine * cosine)), nearSquare = broadcast<T>(near * near);
+  const T up = broadcast<T>(fibres.section.up), across = broadcast<T>(fibres.section.across);
+  for (size_t a = 0; a < sorted.size(); ++a) {
+    const Fibre& one = sorted[a];
+    const double end = one.outer + towards;
+    for (size_t b = a + 1; b < sorted.size() && sorted[b].inner < end; ++b) {
+      const Fibre& other = sorted[b];
+      const T betweenUp = up * (other.place.up - one.place.up),
+              betweenAcross = across * (other.place.across - one.place.across);
+      if (!any(betweenUp * betweenUp + betweenAcross * betweenAcross < seeming)) continue;
+      const T squares = fibres.apartSquare(one.place, other.place);
+      if (any(squares < nearSquare)) visit(one.index, other.index, squares);
+    }
+  }
 }
 
 /// What two discs of radius 1 have in common, over the area of one; `square`: of the distance of their centres, < 4.
@@ -167,51 +79,90 @@ double commonShare(double square) {
 
 }  // namespace
 
+SectionLanes sideBySide(std::span<const DiscCentres> sections) {
+  SectionLanes lanes(sections[0].size());
+  for (size_t i = 0; i < lanes.size(); ++i)
+    for (int lane = 0; lane < kLanes<Float32x8>; ++lane) {
+      const glm::dvec2 place = sections[std::min(static_cast<size_t>(lane), sections.size() - 1)][i];
+      lanes[i].up[lane] = static_cast<float>(place.x);
+      lanes[i].across[lane] = static_cast<float>(place.y);
+    }
+  return lanes;
+}
+
+DiscCentres sectionOf(const SectionLanes& sections, int lane) {
+  DiscCentres centres;
+  centres.reserve(sections.size());
+  for (const PlaceLanes& place : sections) centres.emplace_back(place.up[lane], place.across[lane]);
+  return centres;
+}
+
 double meanOverlap(const DiscCentres& centres, const HelicalFibres& fibres) {
+  std::vector<PlaceOf<double>> places;
+  places.reserve(centres.size());
+  for (const glm::dvec2& centre : centres) places.push_back({centre.x, centre.y});
   double sum = 0;
   const double perRadius = 1 / fibres.radius_mm;
-  std::vector<int> order;
-  forPairsWithin(2 * fibres.radius_mm, centres, fibres, order,
+  forPairsWithin(2 * fibres.radius_mm, places, fibres,
                  [&](int, int, double square) { sum += 2 * commonShare(square * perRadius * perRadius); });
   return centres.empty() ? 0 : sum / static_cast<double>(centres.size());
 }
 
-bool Parting::knowsNeighbours(const DiscCentres& centres) const {
-  if (looked_.size() != centres.size()) return false;
-  double moved = 0;
-  for (size_t i = 0; i < centres.size(); ++i) {
-    const glm::dvec2 d = centres[i] - looked_[i];
-    moved = std::max(moved, glm::dot(d, d));
+void keepWithin(SectionLanes& sections, double rim_mm) {
+  const auto rim = broadcast<Float32x8>(rim_mm), one = broadcast<Float32x8>(1);
+  for (PlaceLanes& p : sections) {
+    const Float32x8 reach = squareRoot(p.up * p.up + p.across * p.across);
+    const Float32x8 scale = reach > rim ? rim / reach : one;
+    p.up *= scale;
+    p.across *= scale;
+  }
+}
+
+bool Parting::knowsNeighbours(const SectionLanes& sections) const {
+  if (looked_.size() != sections.size()) return false;
+  Float32x8 moved{};
+  for (size_t i = 0; i < sections.size(); ++i) {
+    const Float32x8 up = sections[i].up - looked_[i].up, across = sections[i].across - looked_[i].across;
+    moved = most(moved, up * up + across * across);
   }
   const double widest = std::max(fibres_.section.up, fibres_.section.across);
-  return 4 * moved * widest * widest < slack_mm_ * slack_mm_;
+  return 4 * mostLane(moved) * widest * widest < slack_mm_ * slack_mm_;
 }
 
-void Parting::findNeighbours(const DiscCentres& centres) {
-  constexpr double kSlack = 0.5;  // radii
+void Parting::findNeighbours(const SectionLanes& sections) {
+  constexpr double kSlack = 1.2;  // radii
   slack_mm_ = kSlack * fibres_.radius_mm;
-  looked_ = centres;
+  looked_ = sections;
   neighbours_.clear();
-  forPairsWithin(2 * fibres_.radius_mm + slack_mm_, centres, fibres_, order_,
-                 [this](int i, int j, double) { neighbours_.emplace_back(i, j); });
+  forPairsWithin(2 * fibres_.radius_mm + slack_mm_, sections, fibres_,
+                 [this](int i, int j, Float32x8) { neighbours_.emplace_back(i, j); });
 }
 
-double Parting::sweep(DiscCentres& centres) {
-  if (!knowsNeighbours(centres)) findNeighbours(centres);
-  const double diameter = 2 * fibres_.radius_mm;
-  double worst = 0;
+double Parting::sweep(SectionLanes& sections) {
+  using Lanes = Float32x8;
+  if (!knowsNeighbours(sections)) findNeighbours(sections);
+  const double diameter_mm = 2 * fibres_.radius_mm;
+  const auto diameter = broadcast<Lanes>(diameter_mm), touching = broadcast<Lanes>(diameter_mm * diameter_mm),
+             none = broadcast<Lanes>(1e-9 * diameter_mm);
+  // A little further than touching, so that chains of contacts come to rest.
+  const auto wanted = broadcast<Lanes>(1.002 * diameter_mm), half = broadcast<Lanes>(0.5);
+  Lanes worst{};
   for (const auto& [i, j] : neighbours_) {
-    const double square = fibres_.apartSquare(centres[i], centres[j]);
-    if (square >= diameter * diameter) continue;
-    const double distance = std::sqrt(square);
-    worst = std::max(worst, diameter - distance);
-    const glm::dvec2 way = distance > 1e-9 * diameter ? (centres[j] - centres[i]) / distance : glm::dvec2(1, 0);
-    // A little further than touching, so that chains of contacts come to rest.
-    const glm::dvec2 shift = 0.5 * (1.002 * diameter - distance) * way;
-    centres[i] -= shift;
-    centres[j] += shift;
+    PlaceLanes &from = sections[static_cast<size_t>(i)], &to = sections[static_cast<size_t>(j)];
+    const Lanes square = fibres_.apartSquare(from, to);
+    if (!any(square < touching)) continue;
+    const Lanes distance = squareRoot(square);
+    worst = most(worst, diameter - distance);
+    const Lanes push = square < touching ? half * (wanted - distance) : Lanes{};
+    const Lanes perLength = push / most(distance, none);
+    const Lanes up = distance > none ? perLength * (to.up - from.up) : push;  // from the same place: apart upwards
+    const Lanes across = perLength * (to.across - from.across);
+    from.up -= up;
+    from.across -= across;
+    to.up += up;
+    to.across += across;
   }
-  return worst;
+  return mostLane(worst);
 }
 
 }  // namespace loomlight

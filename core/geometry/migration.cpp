@@ -18,8 +18,10 @@ namespace {
 
 constexpr int kSweeps = 100;
 
-glm::dvec2 turned(glm::dvec2 direction, glm::dvec2 p) {
-  return {direction.x * p.x - direction.y * p.y, direction.y * p.x + direction.x * p.y};
+template <class T>
+PlaceOf<T> turned(glm::dvec2 direction, const PlaceOf<T>& p) {
+  const T along = broadcast<T>(direction.x), aside = broadcast<T>(direction.y);
+  return {along * p.up - aside * p.across, aside * p.up + along * p.across};
 }
 
 /// Of so many turns, spread over the stages: the direction of one stage.
@@ -32,26 +34,39 @@ void turnAll(std::vector<DiscCentres>& stages, int turns) {
   if (turns == 0) return;
   for (size_t k = 0; k < stages.size(); ++k) {
     const glm::dvec2 direction = directionAt(k, turns, stages.size());
-    for (glm::dvec2& p : stages[k]) p = turned(direction, p);
+    for (glm::dvec2& p : stages[k]) {
+      const PlaceOf<double> place = turned<double>(direction, {p.x, p.y});
+      p = {place.up, place.across};
+    }
   }
 }
 
-/// Every fibre a little towards the mean of where it was and where it will be, as the turning section sees it.
-void straighten(std::vector<DiscCentres>& stages, int turns, double share) {
-  const std::vector<DiscCentres> old = stages;
-  const size_t count = stages.size();
-  const glm::dvec2 on = directionAt(1, turns, count), back = directionAt(1, -turns, count);
-  for (size_t k = 0; k < count; ++k)
-    for (size_t i = 0; i < stages[k].size(); ++i) {
-      const glm::dvec2 middle =
-          0.5 * (turned(on, old[(k + count - 1) % count][i]) + turned(back, old[(k + 1) % count][i]));
-      stages[k][i] += share * (middle - old[k][i]);
-    }
+constexpr size_t kTogether = kLanes<Float32x8>;  // stages that are parted side by side
+
+/// One stage earlier in each lane; `before`: the eight stages before these.
+Float32x8 earlier(Float32x8 before, Float32x8 these) {
+  return __builtin_shufflevector(before, these, 7, 8, 9, 10, 11, 12, 13, 14);
+}
+Float32x8 later(Float32x8 these, Float32x8 after) {
+  return __builtin_shufflevector(these, after, 1, 2, 3, 4, 5, 6, 7, 8);
 }
 
-void keepWithin(DiscCentres& centres, double rim) {
-  for (glm::dvec2& p : centres)
-    if (const double reach = glm::length(p); reach > rim) p *= rim / reach;
+/// Every fibre a little towards the mean of where it was and where it will be, as the turning section sees it.
+void straighten(std::vector<SectionLanes>& groups, int turns, double share) {
+  const size_t count = groups.size();
+  const glm::dvec2 on = directionAt(1, turns, kTogether * count), back = directionAt(1, -turns, kTogether * count);
+  const auto half = broadcast<Float32x8>(0.5), part = broadcast<Float32x8>(share);
+  std::vector<PlaceLanes> way(count);  // of a fibre, as it was
+  for (size_t i = 0; i < groups[0].size(); ++i) {
+    for (size_t g = 0; g < count; ++g) way[g] = groups[g][i];
+    for (size_t g = 0; g < count; ++g) {
+      const PlaceLanes &before = way[(g + count - 1) % count], &here = way[g], &after = way[(g + 1) % count];
+      const PlaceLanes was = turned<Float32x8>(on, {earlier(before.up, here.up), earlier(before.across, here.across)});
+      const PlaceLanes next = turned<Float32x8>(back, {later(here.up, after.up), later(here.across, after.across)});
+      groups[g][i].up += part * (half * (was.up + next.up) - here.up);
+      groups[g][i].across += part * (half * (was.across + next.across) - here.across);
+    }
+  }
 }
 
 /// As rods that push one another aside: discs apart at every stage, within the rim, and straight from stage to
@@ -59,16 +74,20 @@ void keepWithin(DiscCentres& centres, double rim) {
 void partFibres(std::vector<DiscCentres>& stages, const HelicalFibres& fibres, int turns, double rim,
                 const Task& task) {
   constexpr double kTouching = 0.01;  // overlap, in radii, that counts as none
-  std::vector<Parting> partings(stages.size(), Parting(fibres));
-  std::vector<double> overlaps(stages.size());
+  static_assert(Migration::kStages % kTogether == 0);
+  std::vector<SectionLanes> groups;
+  for (size_t k = 0; k < stages.size(); k += kTogether) groups.push_back(sideBySide({&stages[k], kTogether}));
+  std::vector<Parting> partings(groups.size(), Parting(fibres));
+  std::vector<double> overlaps(groups.size());
   for (int sweep = 0; sweep < kSweeps && !task.stopped(); ++sweep) {
-    parallelFor(stages.size(), task.threads, [&](size_t k) {
-      overlaps[k] = partings[k].sweep(stages[k]);
-      keepWithin(stages[k], rim);
+    parallelFor(groups.size(), task.threads, [&](size_t g) {
+      overlaps[g] = partings[g].sweep(groups[g]);
+      keepWithin(groups[g], rim);
     });
-    if (*std::max_element(overlaps.begin(), overlaps.end()) < kTouching * fibres.radius_mm) return;
-    straighten(stages, turns, 0.5 * (1 - (sweep + 1.0) / kSweeps));
+    if (*std::max_element(overlaps.begin(), overlaps.end()) < kTouching * fibres.radius_mm) break;
+    straighten(groups, turns, 0.5 * (1 - (sweep + 1.0) / kSweeps));
   }
+  for (size_t k = 0; k < stages.size(); ++k) stages[k] = sectionOf(groups[k / kTogether], k % kTogether);
 }
 
 /// RMS slope, per pattern, of a wave of unit amplitude with so many periods, as the cubic through its stages has it:

@@ -88,12 +88,13 @@ PlyLayout layoutOf(const YarnGeometry& g, FibreLayout onTheirWay) {
   return {{narrowest, narrowest}, {}, migrating};
 }
 
-void laySections(YarnModel& m, const Task& task) {
+/// `sketched`: packed fibres are not parted, which is most of the work.
+void laySections(YarnModel& m, bool sketched, const Task& task) {
   const YarnGeometry& g = m.geometry;
-  const FibreLayout onTheirWay = m.source.sketched ? FibreLayout::random : g.layout;
+  const FibreLayout onTheirWay = sketched ? FibreLayout::random : g.layout;
   const PlyLayout layout = layoutOf(g, onTheirWay);
   HelicalFibres fibres = roomOfFibres(g, layout.section);
-  if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin fibres hardly have to be parted
+  if (sketched) fibres.radius_mm *= 0.1;  // thin fibres hardly have to be parted
   m.patterns = layout.patterns;
   const double pattern_mm = g.period * g.cellLength_mm / std::max(1, m.patterns);
   m.plies.clear();
@@ -232,17 +233,20 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
       source.fibresPerPly ? *source.fibresPerPly : (area / fibreArea - loose) / (g.singles() * takeUp);
   g.fibresPerPly = std::clamp(static_cast<int>(std::lround(std::min(wanted, 1e6))), 1, limit);
 
-  // The sections of packed yarns depend on the radius, the radius on the take-up of the sections: the second round
-  // changes it by a few parts in ten thousand, far less than the clearance of the packing.
-  for (int round = 0; round < (source.sketched ? 1 : 2); ++round) {
-    if (source.fibresPerPly)
-      g.fibreRadius_mm = radius * std::sqrt(static_cast<double>(*source.fibresPerPly) / g.fibresPerPly);
-    else if (round == 0)
-      g.fibreRadius_mm = std::sqrt(area / (kPi * (g.singles() * g.fibresPerPly * takeUp + loose)));
-    laySections(*model, task);
+  const auto lay = [&](bool sketched) {
+    laySections(*model, sketched, task);
     measureStraight(*model);
     if (!source.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));
+  };
+  if (source.fibresPerPly) {
+    g.fibreRadius_mm = radius * std::sqrt(static_cast<double>(*source.fibresPerPly) / g.fibresPerPly);
+  } else {
+    g.fibreRadius_mm = std::sqrt(area / (kPi * (g.singles() * g.fibresPerPly * takeUp + loose)));
+    // The sections of packed yarns depend on the radius, the radius on the take-up of the sections. A sketch of them
+    // knows it to a half of a percent or so (1.4 % of a voile), less than the clearance of the packing.
+    if (!source.sketched) lay(true);
   }
+  lay(source.sketched);
   g.count_tex = 1e6 * g.fibreMass_g_mm() * meanTakeUp(*model);
   model->separation = separationOf(*model);
   spin(*model);  // last: fibres lie where they would in an even yarn

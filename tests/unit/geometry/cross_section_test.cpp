@@ -73,7 +73,7 @@ TEST(MeanOverlap, CountsWhatFibresShare) {
   EXPECT_LT(meanOverlap(plySection(FibreLayout::packed, 600, std::sqrt(600 / 0.6), {1}, 3), {1}), 0.01);
 }
 
-// Whichever rings and windows the pairs are looked for in: all of them are found, and none twice.
+// However few are looked at: all pairs are found, and none twice.
 TEST(MeanOverlap, IsThatOfAllPairs) {
   const double slope = 0.08;
   for (const int count : {2, 7, 60, 500})
@@ -89,20 +89,49 @@ TEST(MeanOverlap, IsThatOfAllPairs) {
     }
 }
 
-// Whoever looks again for neighbours begins with the order of before. However little is left of it, the neighbours are
-// those that a first look finds, in the same order, and what is pushed apart ends in the same places.
+// Whoever has parted others before finds the neighbours that a first look finds, in the same order, and what is pushed
+// apart ends in the same places.
 TEST(Parting, WhatLayThereBeforeLeavesNoTrace) {
   const int count = 300;
   for (const HelicalFibres& fibres : {HelicalFibres{1}, HelicalFibres{1, 0.08}, HelicalFibres{1, 0.08, {0.7, 1.4}}}) {
-    DiscCentres before = plySection(FibreLayout::random, count, std::sqrt(count / 0.6), {1}, 5);
+    const DiscCentres before = plySection(FibreLayout::random, count, std::sqrt(count / 0.6), {1}, 5);
     const DiscCentres there = plySection(FibreLayout::random, count, std::sqrt(count / 0.6), {1}, 6);
     Parting used(fibres), fresh(fibres);
-    used.sweep(before);
-    DiscCentres one = there, other = there;
+    SectionLanes others = sideBySide({&before, 1}), one = sideBySide({&there, 1}), other = one;
+    used.sweep(others);
     EXPECT_EQ(used.sweep(one), fresh.sweep(other));
-    EXPECT_EQ(one, other);
-    EXPECT_NE(one, there);
+    EXPECT_EQ(sectionOf(one, 0), sectionOf(other, 0));
+    EXPECT_NE(sectionOf(one, 0), sectionOf(sideBySide({&there, 1}), 0));
   }
+}
+
+// Sections that have nothing to do with each other, one of which has no overlap to begin with and stays as it is.
+TEST(Parting, PartsEightSectionsSideBySide) {
+  const int count = 120;
+  const double radius = std::sqrt(count / 0.3);
+  for (const HelicalFibres& fibres : {HelicalFibres{1}, HelicalFibres{1, 0.004, {0.8, 1.25}}}) {
+    std::vector<DiscCentres> sections;
+    for (int lane = 0; lane < 7; ++lane)
+      sections.push_back(plySection(FibreLayout::random, count, radius, {1}, 20 + static_cast<uint64_t>(lane)));
+    DiscCentres apart;
+    for (int i = 0; i < count; ++i) apart.emplace_back(4.0 * (i % 11) - 20, 4.0 * (i / 11) - 20);
+    sections.push_back(apart);
+    SectionLanes lanes = sideBySide(sections);
+    Parting parting(fibres);
+    EXPECT_GT(parting.sweep(lanes), 1) << "the deepest of all sections";
+    for (int sweep = 0; sweep < 400; ++sweep) parting.sweep(lanes);
+    for (int lane = 0; lane < 7; ++lane) EXPECT_LT(test::worstOverlap(sectionOf(lanes, lane), fibres), 0.01) << lane;
+    EXPECT_EQ(sectionOf(lanes, 7), apart);
+  }
+}
+
+// Even if neither of both knows which way.
+TEST(Parting, PartsTwoInOnePlace) {
+  const DiscCentres two{{3, 1}, {3, 1}};
+  SectionLanes lanes = sideBySide({&two, 1});
+  Parting parting({1});
+  EXPECT_DOUBLE_EQ(parting.sweep(lanes), 2);
+  EXPECT_NEAR(glm::distance(sectionOf(lanes, 0)[0], sectionOf(lanes, 0)[1]), 2.004, 1e-5);
 }
 
 TEST(PackedSection, FillsItsDiscEvenly) {
