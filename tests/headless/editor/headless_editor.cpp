@@ -149,6 +149,10 @@ const Pixels8* HeadlessEditor::pictureIn(const std::string& widget) const {
 }
 
 void HeadlessEditor::frame() {
+  frameOf(kFrame_s);
+}
+
+void HeadlessEditor::frameOf(float length_s) {
   ImGuiIO& io = ImGui::GetIO();
   theme_ = session_->settings().darkTheme ? Theme::dark() : Theme::light();
   const float wanted = session_->settings().interfaceSize * screen_.scale;
@@ -161,8 +165,8 @@ void HeadlessEditor::frame() {
     io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
   }
   theme_.apply(ImGui::GetStyle(), scale);
-  io.DeltaTime = kFrame_s;
-  time_s_ += kFrame_s;
+  io.DeltaTime = length_s;
+  time_s_ += length_s;
   ImGui::NewFrame();
   probe_.beginFrame();
   Ui ui{theme_, fonts_, probe_, memory_, scale, time_s_};
@@ -176,10 +180,11 @@ void HeadlessEditor::settle() {
   for (int i = 0; i < kFramesHeld; ++i) frame();
 }
 
-/// After a gesture: long enough that the next is none of a double click.
+/// After a gesture: long enough that the next is none of a double click. What it brings about settles in the frames
+/// after that time.
 void HeadlessEditor::pause() {
-  const int frames = static_cast<int>(std::ceil(1.2f * ImGui::GetIO().MouseDoubleClickTime / kFrame_s));
-  for (int i = 0; i < frames; ++i) frame();
+  frameOf(1.2f * ImGui::GetIO().MouseDoubleClickTime);
+  for (int i = 0; i < kFramesPerEvent; ++i) frame();
 }
 
 void HeadlessEditor::until(const std::string& what, const std::function<bool()>& condition) {

@@ -109,6 +109,7 @@ class HeadlessEditor {
   Fabric savedAs(const std::string& file);
 
  private:
+  void frameOf(float length_s);
   void begin(Document document);
   void settle();
   void pause();
