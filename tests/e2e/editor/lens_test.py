@@ -141,7 +141,7 @@ def look_at_visibility(editor):
 
 
 def test():
-    with window(WIDTH, HEIGHT) as editor:
+    with window(WIDTH, HEIGHT, samples=2) as editor:
         editor.start(PROGRAM, [small_fabric(editor.home)])
         editor.wait_for_picture()
         open_lens(editor)

@@ -10,7 +10,7 @@ from window_driver import Failure, expect, read_json, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
-WIDTH, HEIGHT = 1280, 720
+WIDTH, HEIGHT = 1024, 640
 SAMPLES_A_PIXEL = 1  # no task looks at the picture
 
 TWILL = ["#..#", "##..", ".##.", "..##"]
@@ -256,15 +256,14 @@ TASKS = ((a_houndstooth_from_new, 15), (an_opened_draft_changed, 12), (a_silk_sa
 
 
 def main(chosen):
-    for task, most in TASKS:
-        if chosen and task.__name__ not in chosen:
-            continue
-        with window(WIDTH, HEIGHT, SAMPLES_A_PIXEL) as editor:
-            editor.start(PROGRAM)
-            within(editor, most, task)
-    if not chosen or "wrong_values" in chosen:
-        with window(1024, 640, SAMPLES_A_PIXEL) as editor:
-            editor.start(PROGRAM)
+    """One after the other in one window, each beside a cloth that has no file yet."""
+    with window(WIDTH, HEIGHT, SAMPLES_A_PIXEL) as editor:
+        editor.start(PROGRAM)
+        for task, most in TASKS:
+            if not chosen or task.__name__ in chosen:
+                new(editor)
+                within(editor, most, task)
+        if not chosen or "wrong_values" in chosen:
             wrong_values(editor)
 
 
