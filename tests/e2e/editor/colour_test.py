@@ -6,7 +6,7 @@ import os
 from window_driver import expect, picture_statistics, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 1024, 900
+WIDTH, HEIGHT = 900, 720
 
 
 def small_fabric(home):

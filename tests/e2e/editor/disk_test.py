@@ -8,7 +8,7 @@ import resource
 from window_driver import expect, read_json, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 1024, 720
+WIDTH, HEIGHT = 900, 720
 # Bytes that a file may have on the disk that stands in for a full one: enough for what tests are told of the widgets. The
 # cloth needs more, and so do settings with a file of this name among the recent ones.
 FULL_AFTER = 50_000

@@ -9,7 +9,7 @@ from small_cloth import small_cloth
 from window_driver import expect, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 960, 600
+WIDTH, HEIGHT = 800, 520
 SIDE = 10_000
 
 

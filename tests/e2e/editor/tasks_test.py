@@ -10,7 +10,7 @@ from window_driver import Failure, expect, read_json, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
-WIDTH, HEIGHT = 1024, 640
+WIDTH, HEIGHT = 900, 600
 SAMPLES_A_PIXEL = 1  # no task looks at the picture
 
 TWILL = ["#..#", "##..", ".##.", "..##"]

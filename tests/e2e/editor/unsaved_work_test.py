@@ -7,7 +7,7 @@ from small_cloth import small_cloth
 from window_driver import expect, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 960, 600
+WIDTH, HEIGHT = 800, 520
 
 
 def small_fabric(home, name):
