@@ -30,7 +30,7 @@ double mostLane(Float32x8 a) {
 }
 
 /// Calls visit(i, j, squares of their distances) once for every two fibres that are nearer than `near`, as they lie in
-/// the yarn, mm, in any of the sections. Takes some n^2 / 8 steps for n fibres.
+/// the yarn, mm, in any of the sections. Takes at most n^2 / 2 steps for n fibres, each of a few products.
 template <class T, class Visit>
 void forPairsWithin(double near, const std::vector<PlaceOf<T>>& sections, const HelicalFibres& fibres,
                     const Visit& visit) {

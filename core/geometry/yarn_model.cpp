@@ -13,7 +13,8 @@
 // How it works. The number of fibres, where it is not given, follows from the count, less what hairs weigh. The fibres
 // of a ply are laid in a section with the room that they need wherever the yarn goes, parted until none overlap, and
 // given ways to migrate on (cross_section.h, migration.h); every ply has its own section. Straight cells are then laid
-// and measured, and the fibres' radius is set so that their length weighs just what the yarn does.
+// and measured, and the fibres' radius is set so that their length weighs just what the yarn does. How much room they
+// need depends on that radius: a first estimate of it comes from fibres that are laid the same way but not parted.
 
 namespace loomlight {
 namespace {

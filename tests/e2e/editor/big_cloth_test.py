@@ -109,7 +109,7 @@ def edits(editor, name):
 
 
 def test():
-    with window(WIDTH, HEIGHT, samples=1) as editor:
+    with window(WIDTH, HEIGHT, samples=1) as editor:  # the picture is not judged
         editor.start(PROGRAM, [small_cloth(editor.home, "First")])
         editor.wait_until("a picture", lambda: editor.number("shown_samples") > 0)
         small, big = (edits(editor, name) for name in SIDES)

@@ -37,7 +37,7 @@ def huge_picture(home):
 
 
 def test():
-    with window(WIDTH, HEIGHT, samples=1) as editor:
+    with window(WIDTH, HEIGHT, samples=1) as editor:  # the picture is not judged
         picture, unpacking_ms = huge_picture(editor.home)
         editor.start(PROGRAM, [small_cloth(editor.home, "Plain")])
         editor.wait_for_picture()

@@ -141,7 +141,7 @@ def look_at_visibility(editor):
 
 
 def test():
-    with window(WIDTH, HEIGHT, samples=2) as editor:
+    with window(WIDTH, HEIGHT, samples=2) as editor:  # a difference is known from two on
         editor.start(PROGRAM, [small_fabric(editor.home)])
         editor.wait_for_picture()
         open_lens(editor)
