@@ -23,6 +23,29 @@ namespace {
 
 constexpr glm::vec3 kAbove(0, 0, 1);
 
+/// Of observations side by side.
+struct Directions {
+  Vec3Of<Float32x8> in, out;
+};
+constexpr size_t kAtOnce = kLanes<Float32x8>;
+/// What is left of the last ones looks straight from above, in light from there; nobody asks for it.
+std::vector<Directions> sideBySide(std::span<const Observation> seen) {
+  const Vec3Of<Float32x8> above{{}, {}, broadcast<Float32x8>(1)};
+  std::vector<Directions> directions((seen.size() + kAtOnce - 1) / kAtOnce, Directions{above, above});
+  for (size_t i = 0; i < seen.size(); ++i) {
+    Directions& some = directions[i / kAtOnce];
+    const size_t lane = i % kAtOnce;
+    const auto put = [lane](Vec3Of<Float32x8>& to, glm::vec3 v) {
+      to.x[lane] = v.x;
+      to.y[lane] = v.y;
+      to.z[lane] = v.z;
+    };
+    put(some.in, seen[i].in);
+    put(some.out, seen[i].out);
+  }
+  return directions;
+}
+
 /// The anisotropy is fitted by its square, in proportion to which slopes grow: by itself its derivative is 0 at 0, and
 /// tells a fit that comes there nothing of where to go.
 enum Parameter { kSpecular, kRoughness, kSquaredAnisotropy, kSheenRoughness, kNormals, kSheen, kCount = kSheen + 3 };
@@ -207,19 +230,25 @@ LeastSquares fitFrom(const FitStart& start, std::span<const SurfaceSample> sampl
 
 std::vector<Rgb> predictedFactors(const SurfaceFit& fit, const SheenAlbedo& sheen,
                                   std::span<const SurfaceSample> samples, std::span<const Observation> seen) {
-  std::vector<Rgb> sums(seen.size(), Rgb(0));
+  const std::vector<Directions> directions = sideBySide(seen);
+  std::vector<Vec3Of<Float32x8>> sums(directions.size());
   for (const SurfaceSample& sample : samples) {
     PrincipledPoint at = sample.point;
     at.reflected *= fit.reflectedWeight;
     at.transmitted *= fit.transmittedWeight;
     const LitPoint point(fit.surface, sheen, at);
-    for (size_t i = 0; i < seen.size(); ++i)
-      sums[i] += sample.opacity * (seen[i].in.z < 0 ? point.transmitted(seen[i].in, seen[i].out)
-                                                    : point.reflected(seen[i].in, seen[i].out));
+    const auto opacity = broadcast<Float32x8>(sample.opacity);
+    for (size_t i = 0; i < directions.size(); ++i)
+      sums[i] = sums[i] + opacity * point.sent(directions[i].in, directions[i].out);
   }
+  std::vector<Rgb> factors(seen.size());
   const auto count = static_cast<float>(samples.size());
-  for (size_t i = 0; i < seen.size(); ++i) sums[i] *= kPiF / (count * std::abs(seen[i].in.z));
-  return sums;
+  for (size_t i = 0; i < seen.size(); ++i) {
+    const Vec3Of<Float32x8>& sum = sums[i / kAtOnce];
+    const size_t lane = i % kAtOnce;
+    factors[i] = kPiF / (count * std::abs(seen[i].in.z)) * Rgb(sum.x[lane], sum.y[lane], sum.z[lane]);
+  }
+  return factors;
 }
 
 Rgb quotient(const Rgb& wanted, const Rgb& is) {

@@ -316,10 +316,41 @@ TEST(Principled, TakesLightInAndOutTheSameWay) {
   const SheenAlbedo sheen(surface.sheenRoughness);
   const glm::vec3 in = direction(25, 40), out = direction(50, 200);
   const LitPoint point(surface, sheen, at);
-  const Rgb there = point.reflected(in, out) / glm::dot(at.normal, in);
-  const Rgb back = point.reflected(out, in) / glm::dot(at.normal, out);
+  const Rgb there = point.sent(in, out) / glm::dot(at.normal, in);
+  const Rgb back = point.sent(out, in) / glm::dot(at.normal, out);
   EXPECT_NEAR(there.x, back.x, 1e-5);
   EXPECT_GT(there.x, 0);
+}
+
+/// Light from either side and from below the surface's tangent plane, in one set of eight.
+TEST(Principled, SendsEightDirectionsSideBySideAsItDoesEachAlone) {
+  PrincipledPoint at;
+  at.normal = glm::normalize(glm::vec3(0.6f, -0.3f, 1));
+  at.reflected = Rgb(0.4f, 0.2f, 0.1f);
+  at.transmitted = Rgb(0.1f, 0.2f, 0.3f);
+  const Principled surface{0.9f, 0.4f, 0.7f, Rgb(0.2f, 0.1f, 0), 0.4f};
+  const SheenAlbedo sheen(surface.sheenRoughness);
+  const LitPoint point(surface, sheen, at);
+  constexpr double kIn_deg[] = {0, 30, 60, 85, 89, 95, 120, 170}, kOut_deg[] = {0, 20, 88, 40, 60, 30, 85, 10};
+  Vec3Of<Float32x8> in, out;
+  const auto put = [](Vec3Of<Float32x8>& to, int lane, glm::vec3 v) {
+    to.x[lane] = v.x;
+    to.y[lane] = v.y;
+    to.z[lane] = v.z;
+  };
+  for (int i = 0; i < 8; ++i) {
+    put(in, i, direction(kIn_deg[i], 50 * i));
+    put(out, i, direction(kOut_deg[i], 180 - 30 * i));
+  }
+  const Vec3Of<Float32x8> together = point.sent(in, out);
+  int dark = 0;
+  for (int i = 0; i < 8; ++i) {
+    const Rgb alone = point.sent(direction(kIn_deg[i], 50 * i), direction(kOut_deg[i], 180 - 30 * i));
+    EXPECT_EQ(Rgb(together.x[i], together.y[i], together.z[i]), alone) << i;
+    dark += alone == Rgb(0);
+  }
+  EXPECT_GT(dark, 0) << "some lie below the tangent plane";
+  EXPECT_LT(dark, 5);
 }
 
 /// Albedo over the half-dome by quadrature, for light from `angle_deg`.
@@ -335,7 +366,7 @@ double albedo(const Principled& surface, double angle_deg) {
       const double square = (i + 0.5) / kSteps;  // of the sine: equal projected solid angles
       const glm::vec3 out = direction(std::asin(std::sqrt(square)) * 180 / kPi, (j + 0.5) * 360 / kSteps);
       // By reciprocity, the light that comes from everywhere into one direction.
-      sum += point.reflected(out, direction(angle_deg, 30)).x / out.z;
+      sum += point.sent(out, direction(angle_deg, 30)).x / out.z;
     }
   return sum * kPi / (kSteps * kSteps);
 }
@@ -378,8 +409,8 @@ TEST(Principled, ItsHighlightIsLongAlongTheAxis) {
   at.drawnOut = {0, 1};
   const glm::vec3 normal(0, 0, 1);
   const LitPoint point(surface, sheen, at);
-  const Rgb along = point.reflected(normal, direction(40, 90));
-  const Rgb across = point.reflected(normal, direction(40, 0));
+  const Rgb along = point.sent(normal, direction(40, 90));
+  const Rgb across = point.sent(normal, direction(40, 0));
   EXPECT_GT(along.x, 2 * across.x);
 }
 
