@@ -68,7 +68,8 @@ Lattice makeLattice() {
   constexpr float kGolden = 0.6180340f;
   Lattice lattice;
   for (int k = 0; k < kLattice; ++k) {
-    const auto pair = static_cast<float>(k / 2);
+    const int number = k / 2;
+    const auto pair = static_cast<float>(number);
     const float turns = 0.5f * (kGolden * pair + static_cast<float>(k % 2));
     const float azimuth = 2 * kPiF * (turns - std::floor(turns));
     LatticePoints& points = lattice[static_cast<size_t>(k / kSideBySide)];
