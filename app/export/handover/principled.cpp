@@ -56,6 +56,11 @@ float largest(const Rgb& colour) {
 
 using Lanes = Float32x8;
 constexpr int kSideBySide = kLanes<Lanes>;
+float total(Lanes numbers) {
+  float sum = 0;
+  for (int lane = 0; lane < kSideBySide; ++lane) sum += numbers[lane];
+  return sum;
+}
 
 /// Points of the unit square as a place from 0 to 1 and the direction of an azimuth, side by side. They come in pairs
 /// that face each other, so that what only tilts between them adds up to nothing.
@@ -85,9 +90,7 @@ const Lattice& lattice() {
   return points;
 }
 float meanOverLattice(Lanes sums) {
-  float sum = 0;
-  for (int lane = 0; lane < kSideBySide; ++lane) sum += sums[lane];
-  return sum / kLattice;
+  return total(sums) / kLattice;
 }
 
 /// Spread as projected solid angle over the half of the sky: as dense as the cosine over pi.
@@ -137,9 +140,7 @@ SheenAlbedo::SheenAlbedo(float sheenRoughness) {
         sums += c * sheenLobe(alpha, half.z, broadcast<Lanes>(cosine), broadcast<Lanes>(c));
       }
     }
-    float sum = 0;
-    for (int lane = 0; lane < kSideBySide; ++lane) sum += sums[lane];
-    values_[static_cast<size_t>(i)] = std::min(1.0f, sum * 2 * kPiF / (kAzimuths * kCosines));
+    values_[static_cast<size_t>(i)] = std::min(1.0f, total(sums) * 2 * kPiF / (kAzimuths * kCosines));
   }
 }
 
