@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/media/cloth_walk.h"
+#include "render/media/shell_walk.h"
 #include "render/scene/fibre_bricks.h"
 
 // How it works. Every path is in one of two groups, each with a batch of its own: through the volume, or among explicit

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "render/media/batch_of.h"
 #include "render/media/fibre_collision.h"
 #include "render/media/fibre_exit.h"
+#include "render/media/path_states.h"
 #include "render/scene/fibre_bvh.h"
 
 // How it works. The cloth is all of its fibres, without statistics. planFibres() chooses how they are laid: the

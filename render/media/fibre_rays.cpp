@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "render/media/cloth_walk.h"
+#include "render/media/shell_walk.h"
 #include "render/scene/fibre_bricks.h"
 #include "render/scene/fibre_bvh.h"
 

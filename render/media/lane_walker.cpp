@@ -61,6 +61,7 @@ LaneWalker::LaneWalker(const TraceData& cloth, const Rules& rules)
   field_.farthest_mm = rules.farthest_mm;
   field_.packing = rules.packing;
   field_.hotSpot = rules.hotSpot;
+  field_.boxes = rules.boxes;
   field_.flat = cloth.shell->isFlat();
   *lanes_ = {};
   lanes_->stop.fill(static_cast<int32_t>(WalkStop::leftSegment));
@@ -122,12 +123,14 @@ bool LaneWalker::enterSegment(size_t lane, const DepthRay& ray) {
   while (own.shell->next()) {
     const ShellSegment& s = own.shell->segment();
     own.tet = s.tet;
-    own.march.emplace(*cloth_.volume, s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + field_.farthest_mm);
+    const float clear = ray.clear_mm - s.passed, tEnter = std::max(s.tEnter, clear);
+    if (clear > s.tLeave) continue;
+    own.march.emplace(*cloth_.volume, s.clothOrigin, s.clothDirection, tEnter, s.tLeave + field_.farthest_mm);
     if (!own.march->inPiece()) continue;
     l.stop[lane] = static_cast<int32_t>(WalkStop::none);
     l.t[lane] = own.march->enter();
     l.tEnd[lane] = own.march->leave();
-    l.lightStart[lane] = s.tEnter;
+    l.lightStart[lane] = tEnter;
     l.lightEnd[lane] = s.tLeave;
     l.lastEnd[lane] = -1;
     l.lastFilled[lane] = 0;

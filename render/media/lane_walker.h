@@ -6,8 +6,8 @@
 #include <span>
 
 #include "core/volume/traverse/recent_cells.h"
-#include "render/media/cloth_walk.h"
 #include "render/media/known_fibre.h"
+#include "render/media/shell_walk.h"
 #include "render/walk/walk_lanes.h"
 
 namespace loomlight {
@@ -25,6 +25,7 @@ struct DepthRay {
   float tMax_mm = 0;                   ///< no farther than this
   float depth = 0;                     ///< optical depth that it may use up before it stops
   const KnownFibres* known = nullptr;  ///< of its path
+  float clear_mm = 0;                  ///< so much of its way counts as empty
 };
 
 /// The bricks of cells that were asked for of late. For one thread.
@@ -90,6 +91,7 @@ class LaneWalker {
     float farthest_mm = 0;  ///< no axis is looked for farther ahead of the light
     bool packing = true;    ///< light keeps to the gaps between fibres that do not overlap
     bool hotSpot = true;    ///< what is known of fibres counts
+    bool boxes = true;      ///< fibres are in the boxes of their voxels alone
   };
   LaneWalker(const TraceData& cloth, const Rules& rules);
 

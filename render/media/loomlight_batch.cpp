@@ -103,10 +103,11 @@ void LoomlightBatch::meetAll(std::span<const PathRay> pathRays, std::span<std::o
   }
 }
 
-void LoomlightBatch::transmit(std::span<ShadowRay> rays, TraceCounts& counts) {
+void LoomlightBatch::transmitBeyond(std::span<ShadowRay> rays, std::span<const float> clear_mm, TraceCounts& counts) {
   rays_.clear();
   shadows_.clear();
-  for (ShadowRay& ray : rays) {
+  for (size_t i = 0; i < rays.size(); ++i) {
+    ShadowRay& ray = rays[i];
     const Path& path = paths_[ray.path];
     const KnownFibres& known = path.memory.known;
     if (medium_.ingredients().hotSpot && distanceTo(known.before, path.place.world, ray.direction) < ray.distance) {
@@ -114,7 +115,7 @@ void LoomlightBatch::transmit(std::span<ShadowRay> rays, TraceCounts& counts) {
       continue;
     }
     const float deepest = kExactDepth - std::log(1 - ray.random->uniform());
-    rays_.push_back({path.place, ray.direction, ray.distance, deepest, &known});
+    rays_.push_back({path.place, ray.direction, ray.distance, deepest, &known, clear_mm.empty() ? 0 : clear_mm[i]});
     shadows_.push_back(&ray);
   }
   Visibilities visibilities(shadows_, rays_);

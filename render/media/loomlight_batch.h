@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "render/media/batch_of.h"
 #include "render/media/loomlight_meetings.h"
+#include "render/media/path_states.h"
 
 namespace loomlight {
 
@@ -17,7 +17,9 @@ class LoomlightBatch final : public PathStates<LoomlightMedium::Memory> {
   void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
     paths_[path].place = {medium_.exit(met, wi, inside), met.place.tet};
   }
-  void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override;
+  void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override { transmitBeyond(rays, {}, counts); }
+  /// The same, were so much of the way of each ray empty at its beginning, mm; all of them in full where `clear_mm` is.
+  void transmitBeyond(std::span<ShadowRay> rays, std::span<const float> clear_mm, TraceCounts& counts);
   size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {
     return medium_.offsetsAcross(met, paths_[path].memory, offsets, random);
   }

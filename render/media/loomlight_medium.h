@@ -8,7 +8,12 @@
 
 namespace loomlight {
 
-/// The cloth as a statistical volume that knows what fibres are: our default. On top of VolumeMedium it has
+/// The cloth as a statistical volume that knows what fibres are: our default. It begins as the volume of the report
+/// (section 8.1): virtual scattering events, whose free flights are exact exponentials through the summed extinction of
+/// every voxel; the component that is met is chosen in proportion to its own extinction, its tangent weighted by the
+/// sine, which is the law of the fibre that a random ray hits (EventLaw::projected), or both by density alone
+/// (EventLaw::report). Where across the fibre is uniform, and a fibre is a point: light leaves where it came in. On top
+/// of that it has
 ///
 /// finite radius: light meets the surface of a fibre, not its axis. Along a ray the one lies before the other by half
 ///   the mean chord, c = phi / (2 sigma), phi being the share of space that is fibre; so the extinction at p is that of
@@ -41,7 +46,11 @@ class LoomlightMedium final : public Medium {
     bool finiteRadius = true;
     bool packing = true;
     bool hotSpot = true;
+    bool boxes = true;
+    EventLaw law = EventLaw::projected;  ///< the report's is for a volume without finite radius
   };
+  /// The volume alone.
+  static constexpr Ingredients plain(EventLaw law) { return {false, false, false, false, law}; }
 
   LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredients ingredients);
   explicit LoomlightMedium(std::shared_ptr<const TraceData> cloth) : LoomlightMedium(std::move(cloth), Ingredients{}) {}
@@ -65,7 +74,9 @@ class LoomlightMedium final : public Medium {
   // What a batch is made of:
   const TraceData& cloth() const { return *cloth_; }
   const Ingredients& ingredients() const { return ingredients_; }
-  LaneWalker::Rules walkRules() const { return {farthest_mm_, ingredients_.packing, ingredients_.hotSpot}; }
+  LaneWalker::Rules walkRules() const {
+    return {farthest_mm_, ingredients_.packing, ingredients_.hotSpot, ingredients_.boxes};
+  }
   float radius_mm() const { return radius_mm_; }  ///< see below
   glm::mat3 toClothOf(int tet) const;             ///< d cloth / d world
   /// With the fibre before, as the cylinder that it is.

@@ -101,7 +101,9 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
     meetings[lane].met->emplace();
     choose(meetings[lane], lane, fibres);
   }
-  const Vectors drawn = projectedTangent<Lanes>(fibres.direction, fibres.spread, direction, random);
+  const Vectors drawn = medium_.ingredients().law == EventLaw::report
+                            ? anyTangent<Lanes>(fibres.direction, fibres.spread, random)
+                            : projectedTangent<Lanes>(fibres.direction, fibres.spread, direction, random);
   Lanes way = broadcast<Lanes>(1);
   for (size_t lane = 0; lane < count; ++lane) way[lane] = eitherWay(*meetings[lane].random);
   const Vectors tangent = way * drawn;
@@ -274,6 +276,7 @@ void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, glm::ve
   if (found.component >= 0) return take(meeting, lane, found.cell, found.component, found.slot, fibres);
   VoxelContent content;
   walker_.cells().bricksIn(found.cell).content(*cloth_.volume, found.voxel, content);
+  if (!medium_.ingredients().boxes) return chooseAmong(meeting, lane, content, fibres, WholeExtinction());
   const ExtinctionAt there{inVoxel};
   if (!medium_.ingredients().hotSpot) return chooseAmong(meeting, lane, content, fibres, there);
   const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), medium_.toClothOf(found.tet));
@@ -286,7 +289,7 @@ template <class Share>
 void LoomlightMeetings::chooseAmong(const Meeting& meeting, size_t lane, const VoxelContent& content, Fibres& fibres,
                                     const Share& share) {
   const VoxelFibres met = chooseComponent(cloth_.yarns, content, meeting.found->drape, meeting.direction,
-                                          meeting.random->uniform(), EventLaw::projected, share);
+                                          meeting.random->uniform(), medium_.ingredients().law, share);
   fibres.put(lane, met.fibres, met.optics->fibreRadius_mm);
   Collision& c = **meeting.met;
   c.optics = *met.optics;

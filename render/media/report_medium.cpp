@@ -1,7 +1,7 @@
 #include "render/media/report_medium.h"
 
 #include "render/bvdf/local_cell.h"
-#include "render/media/batch_of.h"
+#include "render/media/loomlight_batch.h"
 
 namespace loomlight {
 namespace {
@@ -23,29 +23,78 @@ float distanceThroughCell(const TraceData& data, const ScenePoint& from, glm::ve
 
 }  // namespace
 
+/// Paths through the plain volume, and what each has met.
+class ReportMedium::Batch final : public MediumBatch {
+ public:
+  Batch(const ReportMedium& medium, size_t paths) : medium_(medium), volume_(medium.volume_, paths), met_(paths) {}
+
+  void begin(uint32_t path, const ScenePoint& from, const RayCone& cone) override {
+    volume_.begin(path, from, cone);
+    met_[path] = {};
+  }
+  void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
+               TraceCounts& counts) override {
+    volume_.collide(pathRays, met, counts);
+    for (size_t i = 0; i < pathRays.size(); ++i) {
+      if (!met[i]) continue;
+      LastMet& last = met_[pathRays[i].path];
+      last = {last.events + 1, met[i]->yarn, met[i]->tangent, pathRays[i].direction};
+    }
+  }
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
+    volume_.leave(path, met, wi, inside);
+  }
+  void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
+    cast_.clear();
+    clear_mm_.clear();
+    for (ShadowRay& ray : rays) {
+      const bool straight = met_[ray.path].events == 1;  // from a lamp to the first fibre
+      ray.visible = straight ? nearby(ray) : 1;
+      if (ray.visible <= 0) continue;
+      cast_.push_back(ray);
+      clear_mm_.push_back(straight ? distanceThroughCell(*medium_.cloth_, place(ray.path), ray.direction) : 0);
+    }
+    volume_.transmitBeyond(cast_, clear_mm_, counts);
+    size_t next = 0;
+    for (ShadowRay& ray : rays)
+      if (ray.visible > 0) ray.visible *= cast_[next++].visible;
+  }
+  size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {
+    return volume_.offsetsAcross(path, met, offsets, random);
+  }
+  const ScenePoint& place(uint32_t path) const override { return volume_.place(path); }
+  void copy(uint32_t path, uint32_t to) override {
+    volume_.copy(path, to);
+    met_[to] = met_[path];
+  }
+
+ private:
+  /// The last fibre of a path, and how the path came to it.
+  struct LastMet {
+    int events = 0;  ///< fibres met so far
+    int yarn = 0;    ///< index into Fabric::yarns
+    glm::vec3 tangent{1, 0, 0}, incoming{0, 0, -1};
+  };
+  /// How much of the light is seen within the cell around the fibre that it leaves, by the table of its yarn.
+  float nearby(const ShadowRay& ray) const {
+    const LastMet& last = met_[ray.path];
+    const glm::mat3 frame = eventFrame(normalAt(*medium_.cloth_->shell, place(ray.path)), last.tangent);
+    return 1 - medium_.bvdf_->of(last.yarn).occlusion(ray.direction * frame, -last.incoming * frame);
+  }
+
+  const ReportMedium& medium_;
+  LoomlightBatch volume_;
+  std::vector<LastMet> met_;
+  // Of one call:
+  std::vector<ShadowRay> cast_;
+  std::vector<float> clear_mm_;
+};
+
 ReportMedium::ReportMedium(std::shared_ptr<const TraceData> cloth, std::shared_ptr<const BvdfSet> bvdf)
-    : cloth_(std::move(cloth)), volume_(cloth_, EventLaw::report), bvdf_(std::move(bvdf)) {}
+    : cloth_(std::move(cloth)), volume_(cloth_, LoomlightMedium::plain(EventLaw::report)), bvdf_(std::move(bvdf)) {}
 
 std::unique_ptr<MediumBatch> ReportMedium::batch(size_t paths) const {
-  return std::make_unique<BatchOf<ReportMedium>>(*this, paths);
-}
-
-std::optional<Collision> ReportMedium::collide(const ScenePoint& from, Memory& memory, glm::vec3 direction,
-                                               Random& random, TraceCounts& counts) const {
-  VolumeMedium::Memory none;
-  const auto met = volume_.collide(from, none, direction, random, counts);
-  if (met) memory = {memory.events + 1, met->yarn, met->tangent, direction};
-  return met;
-}
-
-float ReportMedium::transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance,
-                                  Random& random, TraceCounts& counts) const {
-  if (memory.events != 1) return volume_.transmittance(from, {}, direction, distance, random, counts);
-  const glm::mat3 frame = eventFrame(normalAt(*cloth_->shell, from), memory.tangent);
-  const float visible = 1 - bvdf_->of(memory.yarn).occlusion(direction * frame, -memory.incoming * frame);
-  if (visible <= 0) return 0;
-  const float cell_mm = distanceThroughCell(*cloth_, from, direction);
-  return visible * volume_.transmittanceBeyond(cell_mm, from, direction, distance, random, counts);
+  return std::make_unique<Batch>(*this, paths);
 }
 
 }  // namespace loomlight

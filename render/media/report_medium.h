@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "render/bvdf/bvdf_set.h"
-#include "render/media/volume_medium.h"
+#include "render/media/loomlight_medium.h"
 
 namespace loomlight {
 
@@ -16,28 +16,14 @@ class ReportMedium final : public Medium {
  public:
   ReportMedium(std::shared_ptr<const TraceData> cloth, std::shared_ptr<const BvdfSet> bvdf);
 
-  /// The last fibre of a path, and how the path came to it.
-  struct Memory {
-    int events = 0;  ///< fibres met so far
-    int yarn = 0;    ///< index into Fabric::yarns
-    glm::vec3 tangent{1, 0, 0}, incoming{0, 0, -1};
-  };
-
   std::unique_ptr<MediumBatch> batch(size_t paths) const override;
   bool seesDirectLightApart() const override { return true; }
-  std::optional<Collision> collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random& random,
-                                   TraceCounts& counts) const;
-  glm::vec3 exit(const Collision& met, glm::vec3, float) const { return met.place.world; }
-  /// From the first event: direct light. As exact as that of VolumeMedium.
-  size_t offsetsAcross(const Collision& met, const Memory&, std::span<float> offsets, Random&) const {
-    return evenOffsets(met.offset, offsets);
-  }
-  float transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance, Random& random,
-                      TraceCounts& counts) const;
 
  private:
+  class Batch;
+
   std::shared_ptr<const TraceData> cloth_;
-  VolumeMedium volume_;
+  LoomlightMedium volume_;
   std::shared_ptr<const BvdfSet> bvdf_;
 };
 

@@ -7,13 +7,13 @@
 
 #include "core/volume/pool/tangent_spread.h"
 #include "core/volume/traverse/cloth_volume.h"
-#include "render/media/cloth_walk.h"
 #include "render/media/medium.h"
+#include "render/media/shell_walk.h"
 
 namespace loomlight {
 
-// What a ray meets in one voxel: the sum over its components, which is all that a flight asks for, and the component
-// that a collision is with.
+// What a ray meets in one voxel of each of its components, and the component that a collision is with. What it meets of
+// all of them is summed up in lanes (render/walk).
 
 /// [system][index into Fabric::yarns]
 using YarnTables = std::array<std::vector<YarnOptics>, 2>;
@@ -71,18 +71,6 @@ struct ExtinctionAt {
     return component.box.contains(inVoxel) ? component.box.crowding() : 0;
   }
 };
-
-/// The sum over a voxel's components, of which each counts with its share; 1/mm. Cost: about one decoding, one dot
-/// product and one table look-up a component.
-template <class Share = WholeExtinction>
-float sumExtinction(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction,
-                    const Share& share = {}) {
-  float sum = 0;
-  forEachComponent(yarns, content, drape, [&](const VoxelFibres& component) {
-    sum += extinction(component.fibres, *component.optics, direction) * share(component);
-  });
-  return sum;
-}
 
 /// Whether it takes a choice which component of a voxel with content is met.
 inline bool hasSeveralComponents(const VoxelContent& content) {

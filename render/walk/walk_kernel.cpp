@@ -97,7 +97,7 @@ class Step {
     const Real section = Real(static_cast<float>(kPi)) * taken.radius * taken.radius;
     Real solid = orZero(holds, section * fibres.lengthDensity);
     Real from = choose(holds, enter_, leave_), to = choose(holds, leave_, enter_);
-    const BoxLanes box(holds, fibres.box);
+    const BoxLanes box(field_.boxes ? holds : holds & ~holds, fibres.box);
     if (any(box.boxed)) {
       clip(box, from, to);
       extinction = extinction * box.crowding();

@@ -40,6 +40,7 @@ struct WalkField {
   float farthest_mm = 0;  ///< no axis is looked for farther ahead of the light
   bool packing = true;    ///< light keeps to the gaps between fibres of packed yarns
   bool hotSpot = true;    ///< fibres near the flights before are known to be absent
+  bool boxes = true;      ///< fibres are in the boxes of their voxels alone; else spread over the voxels
   bool flat = true;       ///< cloth space is the world, but for a translation
 };
 

@@ -117,17 +117,4 @@ Float64x4 TangentSpread::spreadsFromMeanSquareSines(Float64x4 meanSquares) {
   return low + (x - __builtin_convertvector(i, Float64x4)) * (high - low);
 }
 
-glm::vec3 sampleTangent(const FibreDistribution& distribution, float u1, float u2) {
-  const glm::vec3 m = distribution.direction;
-  if (distribution.spread == 0) return m;
-  const float theta = distribution.spread * std::sqrt(-2 * std::log(1 - u1));
-  const float phi = static_cast<float>(2 * kPi) * u2;
-  // Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
-  const float sign = std::copysign(1.0f, m.z);
-  const float a = -1 / (sign + m.z), b = m.x * m.y * a;
-  const glm::vec3 e1(1 + sign * m.x * m.x * a, sign * b, -sign * m.x), e2(b, sign + m.y * m.y * a, -m.y);
-  const float across = std::sin(theta);
-  return std::cos(theta) * m + across * (std::cos(phi) * e1 + std::sin(phi) * e2);
-}
-
 }  // namespace loomlight

@@ -51,14 +51,6 @@ class TangentSpread {
   float values_[kSpreads][kRatios];
 };
 
-/// A tangent of the distribution, its Gaussian about the mean direction; u1, u2 uniform in [0, 1), of 24 bits.
-///
-/// With the majorant 2 r lambda, the extinction of fibres all seen side-on, it makes the table-free reference of the
-/// look-up: draw a flight from the majorant and a tangent t from here, and accept the collision with probability
-/// |sin angle(d, t)|. What is accepted has exactly the rate 2 r lambda I(alpha, s) and the law of the fibres that a ray
-/// along d hits.
-glm::vec3 sampleTangent(const FibreDistribution& distribution, float u1, float u2);
-
 inline float TangentSpread::projectedLengthOfSquare(float sinSquareAlpha, float spread) const {
   const float k = 2 * spread * spread;
   const float sum = sinSquareAlpha + k;

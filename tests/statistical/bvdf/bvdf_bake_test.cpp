@@ -6,6 +6,7 @@
 #include "render/bvdf/bvdf_picture.h"
 #include "render/media/fibre_medium.h"
 #include "render/media/report_medium.h"
+#include "render/media/volume_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_sample.h"
 #include "tests/support/test_cloth.h"

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render/media/report_medium.h"
+#include "render/media/volume_medium.h"
 #include "render/optics/fibre_frame.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_sample.h"
@@ -37,7 +38,7 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
   TraceCounts counts;
   Random random(8);
   test::SampledMean radiance, gain;
-  MediumPath path = report.path();
+  MediumPath path = report.path(), through = plain.path();
   test::forEachSample(*scene, report, camera, {0, 0, 48, 48}, 8, counts, [&](int x, int y, const PathSample& sample) {
     if (sample.alpha > 0) radiance.add(sample.direct.g + sample.indirect.g);
 
@@ -50,8 +51,8 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
     const auto scattered = scene->cloth->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
     const glm::vec3 on = frame.toWorld(scattered.wi);
     path.leave(*hit, on, scattered.length);
-    gain.add(path.transmittance(on, kFar, random, counts) -
-             plain.transmittance(path.place(), {}, on, kFar, random, counts));
+    through.begin(path.place());
+    gain.add(path.transmittance(on, kFar, random, counts) - through.transmittance(on, kFar, random, counts));
   });
   EXPECT_GT(gain.mean(), 0.03);
   const double error = std::hypot(radiance.standardError(), gain.standardError());

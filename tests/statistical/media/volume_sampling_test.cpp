@@ -3,15 +3,22 @@
 #include <cmath>
 
 #include "core/volume/pool/tangent_spread.h"
-#include "render/media/cloth_walk.h"
 #include "render/media/fibre_tangent.h"
 #include "render/media/volume_medium.h"
-#include "render/media/voxel_extinction.h"
 #include "tests/statistical/chi_square.h"
+#include "tests/support/sampled_mean.h"
 #include "tests/support/test_cloth.h"
+#include "tests/support/voxel_walk.h"
 
 namespace loomlight {
 namespace {
+
+Vec3Of<float> numbersOf(glm::vec3 v) {
+  return {v.x, v.y, v.z};
+}
+glm::vec3 vectorOf(const Vec3Of<float>& v) {
+  return {v.x, v.y, v.z};
+}
 
 /// Density per solid angle of the Gaussian about a mean, for s so small that no tangent turns beyond a right angle.
 double gaussian(const FibreDistribution& fibres, glm::vec3 t) {
@@ -31,8 +38,8 @@ TEST(Tangents, FitTheirGaussian) {
     test::ChiSquareSettings settings;
     settings.axis = fibres.direction;
     const auto sampler = [&](Random& random) {
-      const float u1 = random.uniform(), u2 = random.uniform();
-      return sampleTangent(fibres, u1, u2);
+      RandomLanes<float> numbers(random);
+      return vectorOf(anyTangent<float>(numbersOf(fibres.direction), fibres.spread, numbers));
     };
     const auto result = test::chiSquareOnSphere(sampler, [&](glm::vec3 t) { return gaussian(fibres, t); }, settings);
     EXPECT_TRUE(fits(result, std::size(kFibres))) << "spread " << fibres.spread;
@@ -57,8 +64,11 @@ TEST(Tangents, OfFibresThatARayMeetsAreWeightedByTheSine) {
       const auto pdf = [&](glm::vec3 t) {
         return gaussian(fibres, t) * glm::length(glm::cross(glm::dvec3(t), glm::dvec3(ray))) / seen;
       };
-      const auto result =
-          test::chiSquareOnSphere([&](Random& random) { return projectedTangent(fibres, ray, random); }, pdf, settings);
+      const auto sampler = [&](Random& random) {
+        RandomLanes<float> numbers(random);
+        return vectorOf(projectedTangent<float>(numbersOf(m), fibres.spread, numbersOf(ray), numbers));
+      };
+      const auto result = test::chiSquareOnSphere(sampler, pdf, settings);
       EXPECT_TRUE(fits(result, runs)) << "spread " << fibres.spread << ", alpha " << alpha;
       EXPECT_NEAR(result.integral, 1, 2e-3);
     }
@@ -76,11 +86,11 @@ TEST(FreeFlights, FitTheExtinctionOfTheirWay) {
 
     // Optical depth at the end of every voxel on the way.
     std::vector<double> ends, depths;
-    ClothWalk walk(*scene->cloth, from, direction, 1000);
+    test::VoxelWalk walk(*scene->cloth, from, direction, 1000);
     while (walk.next()) {
       const double before = depths.empty() ? 0 : depths.back();
       ends.push_back(walk.leave());
-      depths.push_back(before + sumExtinction(scene->cloth->yarns, walk.content(), walk.drape(), direction) *
+      depths.push_back(before + test::sumExtinction(scene->cloth->yarns, walk.content(), walk.drape(), direction) *
                                     (walk.leave() - walk.enter()));
     }
     ASSERT_GT(depths.size(), 10u);
@@ -95,14 +105,70 @@ TEST(FreeFlights, FitTheExtinctionOfTheirWay) {
     expected.push_back(kFlights * std::exp(-before));  // through
     Random random(29);
     TraceCounts costs;
+    MediumPath path = medium.path();
     for (int i = 0; i < kFlights; ++i) {
-      VolumeMedium::Memory none;
-      const auto collision = medium.collide(from, none, direction, random, costs);
+      path.begin(from);
+      const auto collision = path.collide(direction, random, costs);
       const auto end = collision ? std::lower_bound(ends.begin(), ends.end(), collision->distance_mm) : ends.end();
       counts[static_cast<size_t>(end - ends.begin())] += 1;
     }
     EXPECT_TRUE(fits(test::chiSquare(counts, expected), 2));
   }
+}
+
+/// How fibres are met: of which yarn, and how they lie to the ray.
+struct HowMet {
+  test::SampledMean ofWarp, sineSquare;
+  void add(System system, glm::vec3 tangent, glm::vec3 direction) {
+    const double cosine = glm::dot(tangent, direction);
+    ofWarp.add(system == System::warp ? 1 : 0);
+    sineSquare.add(1 - cosine * cosine);
+  }
+};
+
+// Where a voxel holds several components, which of them is met, and so how its fibres lie to the ray, is as often so as
+// where the event law draws anew in the same voxel, in plain numbers. Rays run low over the weft, so the two laws
+// differ.
+TEST(Meetings, AreWithTheFibresOfTheirLaw) {
+  constexpr int kFlights = 60000;
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 2;
+  const auto scene = test::sceneOf(fabric);
+  const TraceData& cloth = *scene->cloth;
+  const glm::vec3 direction = glm::normalize(glm::vec3(1, 0.15f, -0.35f));
+  double warp[2] = {0, 0};
+  for (const EventLaw law : {EventLaw::projected, EventLaw::report}) {
+    const VolumeMedium medium(scene->cloth, law);
+    MediumPath path = medium.path();
+    Random random(31);
+    RandomLanes<float> numbers(random);
+    TraceCounts counts;
+    HowMet met, expected;
+    for (int i = 0; i < kFlights; ++i) {
+      const float u = random.uniform(), v = random.uniform();
+      path.begin({glm::vec3(u, v, 0.5f) - 3.0f * direction, -1});
+      const auto collision = path.collide(direction, random, counts);
+      if (!collision) continue;
+      VoxelContent content;
+      cloth.volume->contentAt(cloth.shell->toCloth(collision->place.tet, collision->place.world), content);
+      if (content.count == 0 || !hasSeveralComponents(content)) continue;  // or at its very edge
+      met.add(collision->yarnId.system, collision->tangent, direction);
+      const VoxelFibres anew = chooseComponent(cloth.yarns, content, {}, direction, random.uniform(), law);
+      const Vec3Of<float> mean = numbersOf(anew.fibres.direction);
+      const auto tangent = law == EventLaw::report
+                               ? anyTangent<float>(mean, anew.fibres.spread, numbers)
+                               : projectedTangent<float>(mean, anew.fibres.spread, numbersOf(direction), numbers);
+      expected.add(anew.span->system, vectorOf(tangent), direction);
+    }
+    ASSERT_GT(met.ofWarp.count(), 2000u);
+    const auto agree = [](const test::SampledMean& a, const test::SampledMean& b) {
+      return test::isWithinNoise(a.mean(), b.mean(), std::hypot(a.standardError(), b.standardError()), 4);
+    };
+    EXPECT_TRUE(agree(met.ofWarp, expected.ofWarp));
+    EXPECT_TRUE(agree(met.sineSquare, expected.sineSquare));
+    warp[static_cast<int>(law)] = met.ofWarp.mean();
+  }
+  EXPECT_GT(warp[0], warp[1] + 0.05) << "the warp is seen side-on, the weft nearly end-on";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "core/base/random.h"
 #include "core/volume/pool/tangent_spread.h"
+#include "tests/support/sample_tangent.h"
 
 namespace loomlight {
 namespace {
@@ -16,7 +17,7 @@ Estimate acceptedShare(const FibreDistribution& fibres, glm::vec3 d, int trials,
   int accepted = 0;
   for (int i = 0; i < trials; ++i) {
     const float u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform();
-    accepted += u3 < glm::length(glm::cross(sampleTangent(fibres, u1, u2), d));
+    accepted += u3 < glm::length(glm::cross(test::sampleTangent(fibres, u1, u2), d));
   }
   const double share = static_cast<double>(accepted) / trials;
   return {share, std::sqrt(std::max(share * (1 - share), 1.0 / trials) / trials)};
@@ -55,7 +56,7 @@ TEST(TableFree, TransmitsAsTheTableDoes) {
           break;
         }
         const float u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform();
-        if (u3 < glm::length(glm::cross(sampleTangent(fibres, u1, u2), d))) break;
+        if (u3 < glm::length(glm::cross(test::sampleTangent(fibres, u1, u2), d))) break;
       }
     }
     const double sigma = majorant * TangentSpread::table().projectedLength(std::sin(alpha), fibres.spread);
@@ -75,7 +76,7 @@ TEST(TableFree, TangentsHaveTheirMeanAndSpread) {
     glm::dvec3 sum(0);
     for (int i = 0; i < n; ++i) {
       const float u1 = random.uniform(), u2 = random.uniform();
-      const glm::vec3 t = sampleTangent(fibres, u1, u2);
+      const glm::vec3 t = test::sampleTangent(fibres, u1, u2);
       ASSERT_NEAR(glm::length(t), 1, 1e-5);
       const double c = glm::dot(t, m);
       square += 1 - c * c;

@@ -4,6 +4,7 @@
 
 #include "core/base/random.h"
 #include "render/media/voxel_extinction.h"
+#include "tests/support/voxel_walk.h"
 
 namespace loomlight {
 namespace {
@@ -62,15 +63,15 @@ TEST(EventLaw, ChoosesOnlyAmongWhatCounts) {
     EXPECT_EQ(met.span->system, System::weft);
     EXPECT_EQ(met.fibres.direction, voxel.weft.decode().direction);
   }
-  const float whole = sumExtinction(voxel.yarns, both, {}, down);
-  EXPECT_NEAR(sumExtinction(voxel.yarns, both, {}, down, weftAlone), 0.125f * whole, 1e-5f * whole);
+  const float whole = test::sumExtinction(voxel.yarns, both, {}, down);
+  EXPECT_NEAR(test::sumExtinction(voxel.yarns, both, {}, down, weftAlone), 0.125f * whole, 1e-5f * whole);
 }
 
 TEST(VoxelExtinction, IsProjectedFibreArea) {
   const CrossedVoxel voxel;
   const glm::vec3 d = glm::normalize(glm::vec3(0.3f, 0.5f, -0.8f));
   const double expected = 2 * 0.006 * 1000 * std::sqrt(1 - d.y * d.y);
-  EXPECT_NEAR(sumExtinction(voxel.yarns, CrossedVoxel::of({voxel.warpSpan()}), {}, d), expected, 0.01 * expected);
+  EXPECT_NEAR(test::sumExtinction(voxel.yarns, CrossedVoxel::of({voxel.warpSpan()}), {}, d), expected, 0.01 * expected);
 }
 
 TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
@@ -84,7 +85,8 @@ TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
   const auto change = [&](const VoxelContent::YarnSpan& span) {
     const VoxelContent content = CrossedVoxel::of({span});
     const glm::vec3 down(0, 0, -1);
-    return sumExtinction(voxel.yarns, content, stretched, down) / sumExtinction(voxel.yarns, content, {}, down);
+    return test::sumExtinction(voxel.yarns, content, stretched, down) /
+           test::sumExtinction(voxel.yarns, content, {}, down);
   };
   EXPECT_NEAR(change(voxel.warpSpan()), 1.0, 1e-4);
   // The weft keeps its length and is spread over twice the room.

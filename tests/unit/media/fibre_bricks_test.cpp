@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "render/media/cloth_walk.h"
+#include "render/media/shell_walk.h"
 #include "render/scene/fibre_bvh.h"
 #include "tests/support/test_cloth.h"
 

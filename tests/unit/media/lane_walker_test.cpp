@@ -10,6 +10,7 @@
 #include "render/optics/fibre_frame.h"
 #include "tests/support/lone_walk.h"
 #include "tests/support/test_cloth.h"
+#include "tests/support/voxel_walk.h"
 
 namespace loomlight {
 namespace {
@@ -184,7 +185,7 @@ struct FoundByPaths {
 /// The extinction of all fibres of a voxel, each component's in the box that they lie in.
 float wholeInBoxes(const TraceData& cloth, const VoxelContent& content, const FoundFibres& found, glm::vec3 direction) {
   const auto crowding = [](const VoxelFibres& component) { return component.box.crowding(); };
-  return sumExtinction(cloth.yarns, content, found.drape, direction, crowding);
+  return test::sumExtinction(cloth.yarns, content, found.drape, direction, crowding);
 }
 
 /// How many components of a voxel are at a place in it, and how many fill a part of it alone or all of it.
@@ -272,8 +273,8 @@ TEST_P(LaneWalks, LooksFindWhatIsAtAPlace) {
         VoxelContent content;
         walker.cells().bricksIn(foundIn(lane).cell).content(*cloth.volume, foundIn(lane).voxel, content);
         const size_t there = ComponentsAt(content, places[lane]).there;
-        const float whole = sumExtinction(cloth.yarns, content, foundIn(lane).drape,
-                                          all.rays[foundIn(lane).ray].direction, ExtinctionAt{places[lane]});
+        const float whole = test::sumExtinction(cloth.yarns, content, foundIn(lane).drape,
+                                                all.rays[foundIn(lane).ray].direction, ExtinctionAt{places[lane]});
         EXPECT_NEAR(looks.found.whole[lane], whole, 1e-4f * whole);
         const int32_t component = looks.found.component[lane];
         if (there == 1) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "render/bvdf/local_cell.h"
 #include "render/media/volume_medium.h"
@@ -61,42 +63,63 @@ TEST(LocalCell, RaysLeaveItByTheFaceAhead) {
   EXPECT_FLOAT_EQ(cell.exit({1.5f, 1, 1}, {1, 0, 0}), 0.0f);
 }
 
+constexpr float kFar = std::numeric_limits<float>::infinity();
+
+/// Several media that paths fly through alike: with the same numbers they meet the same fibres.
+struct PathsAlike {
+  const Scene& scene;
+  const ReportMedium dark{scene.cloth, uniformBvdf(1e6f)}, open{scene.cloth, uniformBvdf(0)};
+  const VolumeMedium plain{scene.cloth};
+  MediumPath ofDark = dark.path(), ofOpen = open.path(), ofPlain = plain.path();
+  TraceCounts counts{};
+
+  void begin(const ScenePoint& from) {
+    ofDark.begin(from);
+    ofOpen.begin(from);
+  }
+  /// The next fibre on both ways, from where light goes on; the plain path begins there.
+  std::optional<Collision> collide(glm::vec3 direction, Random& random) {
+    Random same = random;
+    const auto met = ofDark.collide(direction, random, counts), alike = ofOpen.collide(direction, same, counts);
+    EXPECT_EQ(met.has_value(), alike.has_value());
+    if (!met || !alike) return std::nullopt;
+    EXPECT_EQ(met->place.world, alike->place.world);
+    ofDark.leave(*met, -direction, 0);
+    ofOpen.leave(*alike, -direction, 0);
+    ofPlain.begin(met->place);
+    return met;
+  }
+};
+
 // p = 1 stops all direct light of the first event, but none that comes from the eye; later events do not feel it.
 TEST(ReportMedium, ShadowsDirectLightOfTheFirstEventAlone) {
   const auto scene = test::sceneOf(test::whiteCotton());
-  const ReportMedium dark(scene->cloth, uniformBvdf(1e6f)), open(scene->cloth, uniformBvdf(0));
-  const VolumeMedium plain(scene->cloth);
-  constexpr auto kFar = std::numeric_limits<float>::infinity();
+  PathsAlike paths{*scene};
   TraceCounts counts;
   Random random(3);
   const glm::vec3 wi = glm::normalize(glm::vec3(0.5f, 0.2f, 1)), up(0, 0, 1);
+  const auto seen = [&](MediumPath& path, glm::vec3 to) { return path.transmittance(to, kFar, random, counts); };
   double beyond = 0, whole = 0, fromEye = 0, openToEye = 0;
   int later = 0;
   for (int i = 0; i < 2000; ++i) {
-    ReportMedium::Memory memory;
-    const auto hit = dark.collide(aboveTheMiddle(*scene), memory, -up, random, counts);
-    ASSERT_TRUE(hit);
-    EXPECT_EQ(memory.events, 1);
-    const ScenePoint& place = hit->place;
-    EXPECT_EQ(dark.transmittance(place, memory, wi, kFar, random, counts), 0.0f);
-    if (plain.transmittance(place, {}, up, kFar, random, counts) > 0.02f) {  // exact above that
-      fromEye += dark.transmittance(place, memory, up, kFar, random, counts) / 2000;
-      openToEye += open.transmittance(place, memory, up, kFar, random, counts) / 2000;
+    paths.begin(aboveTheMiddle(*scene));
+    ASSERT_TRUE(paths.collide(-up, random));
+    EXPECT_EQ(seen(paths.ofDark, wi), 0.0f);
+    if (seen(paths.ofPlain, up) > 0.02f) {  // exact above that
+      fromEye += seen(paths.ofDark, up) / 2000;
+      openToEye += seen(paths.ofOpen, up) / 2000;
     }
-    const float through = open.transmittance(place, memory, wi, kFar, random, counts);
+    const float through = seen(paths.ofOpen, wi), volume = seen(paths.ofPlain, wi);
     beyond += through / 2000;
-    const float volume = plain.transmittance(place, {}, wi, kFar, random, counts);
     whole += volume / 2000;
     if (volume > 0.02f) {
       EXPECT_GE(through, volume * 0.999f);  // without the way through the cell
     }
 
-    const auto second = dark.collide(place, memory, -up, random, counts);
-    if (!second) continue;
-    EXPECT_EQ(memory.events, 2);
-    const float nothingNear = plain.transmittance(second->place, {}, wi, kFar, random, counts);
+    if (!paths.collide(-up, random)) continue;
+    const float nothingNear = seen(paths.ofPlain, wi);
     if (nothingNear <= 0.02f) continue;
-    EXPECT_NEAR(dark.transmittance(second->place, memory, wi, kFar, random, counts), nothingNear, 1e-5);
+    EXPECT_NEAR(seen(paths.ofDark, wi), nothingNear, 1e-5);
     ++later;
   }
   EXPECT_GT(beyond, whole + 0.05);
@@ -105,15 +128,35 @@ TEST(ReportMedium, ShadowsDirectLightOfTheFirstEventAlone) {
   EXPECT_GT(later, 100);
 }
 
+// A path that goes on as a copy of another has met what that has, and one that begins anew has met nothing.
+TEST(ReportMedium, CopiesRememberWhatTheirPathHasMet) {
+  const auto scene = test::sceneOf(test::whiteCotton());
+  const ReportMedium dark(scene->cloth, uniformBvdf(1e6f));
+  const auto batch = dark.batch(2);
+  TraceCounts counts;
+  Random random(3);
+  const glm::vec3 down(0, 0, -1), wi = glm::normalize(glm::vec3(0.5f, 0.2f, 1));
+  const PathRay pathRay{0, down, &random};
+  std::optional<Collision> met;
+  batch->begin(0, aboveTheMiddle(*scene), {});
+  batch->collide({&pathRay, 1}, {&met, 1}, counts);
+  ASSERT_TRUE(met);
+  batch->leave(0, *met, wi, 0);
+  batch->copy(0, 1);
+  batch->begin(0, aboveTheMiddle(*scene), {});
+  std::array<ShadowRay, 2> rays{ShadowRay{0, wi, kFar, &random}, ShadowRay{1, wi, kFar, &random}};
+  batch->transmit(rays, counts);
+  EXPECT_EQ(rays[0].visible, 1.0f) << "from above the cloth";
+  EXPECT_EQ(rays[1].visible, 0.0f);
+}
+
 // On a drape the same cloth has the same cells and the same frames.
 TEST(ReportMedium, WorksOnDrapes) {
   Fabric fabric = test::whiteCotton();
   fabric.drape.kind = DrapeKind::cylinder;
   const auto scene = test::sceneOf(fabric);
-  const ReportMedium open(scene->cloth, uniformBvdf(0)), dark(scene->cloth, uniformBvdf(1e6f));
-  const VolumeMedium plain(scene->cloth);
+  PathsAlike paths{*scene};
   const CameraRays camera(fabric.camera, 32, 32);
-  constexpr auto kFar = std::numeric_limits<float>::infinity();
   TraceCounts counts;
   Random random(4);
   double beyond = 0, whole = 0;
@@ -121,16 +164,16 @@ TEST(ReportMedium, WorksOnDrapes) {
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) {
       const Ray ray = camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-      ReportMedium::Memory memory;
-      const auto hit = open.collide({ray.origin, -1}, memory, ray.direction, random, counts);
+      paths.begin({ray.origin, -1});
+      const auto hit = paths.collide(ray.direction, random);
       if (!hit) continue;
       ++hits;
       const glm::vec3 wi = glm::normalize(hit->normal - 0.3f * ray.direction);
-      beyond += open.transmittance(hit->place, memory, wi, kFar, random, counts);
-      whole += plain.transmittance(hit->place, {}, wi, kFar, random, counts);
+      beyond += paths.ofOpen.transmittance(wi, kFar, random, counts);
+      whole += paths.ofPlain.transmittance(wi, kFar, random, counts);
       const glm::vec3 side =
           glm::normalize(hit->normal + 0.7f * glm::normalize(glm::cross(hit->normal, ray.direction)));
-      EXPECT_EQ(dark.transmittance(hit->place, memory, side, kFar, random, counts), 0.0f);
+      EXPECT_EQ(paths.ofDark.transmittance(side, kFar, random, counts), 0.0f);
     }
   EXPECT_GT(hits, 100);
   EXPECT_GT(beyond, 1.1 * whole);

@@ -4,6 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/volume/pool/tangent_spread.h"
+#include "tests/support/sample_tangent.h"
 
 namespace loomlight {
 namespace {
@@ -309,7 +310,7 @@ TEST(Voxelise, SpreadIsThatOfTheFibres) {
     const FibreDistribution truth{.direction = glm::normalize(glm::vec3(1, 2, -0.5f)), .spread = s};
     for (int i = 0; i < 20000; ++i) {
       const float u1 = random.uniform(), u2 = random.uniform();
-      const glm::vec3 half = 0.3f * sampleTangent(truth, u1, u2);
+      const glm::vec3 half = 0.3f * test::sampleTangent(truth, u1, u2);
       addStrand(strands, {-half, half});
     }
     const FibreDistribution d = voxelise(strands, System::warp, oneVoxel(1)).at({0, 0, 0})[0].decode();

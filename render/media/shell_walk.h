@@ -121,35 +121,4 @@ class ShellWalk {
   ShellSegment segment_{};
 };
 
-/// A ray on its way through the voxels with content of draped cloth, in order. Parameters are world distances from
-/// where it began.
-class ClothWalk {
- public:
-  /// As ShellWalk.
-  ClothWalk(const TraceData& cloth, const ScenePoint& from, glm::vec3 direction, float tMax)
-      : volume_(*cloth.volume), shell_(cloth, from, direction, tMax) {}
-
-  /// False where nothing is left.
-  bool next() {
-    while (!march_ || !march_->next()) {
-      if (!shell_.next()) return false;
-      const ShellSegment& s = shell_.segment();
-      march_.emplace(volume_, s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave);
-    }
-    return true;
-  }
-
-  // Where it stands, until it goes on:
-  const VoxelContent& content() const { return march_->content(); }
-  float enter() const { return shell_.segment().passed + march_->enter(); }
-  float leave() const { return shell_.segment().passed + march_->leave(); }
-  const LocalDrape& drape() const { return shell_.segment().drape; }
-  int tet() const { return shell_.segment().tet; }
-
- private:
-  const ClothVolume& volume_;
-  ShellWalk shell_;
-  std::optional<ClothVolume::March> march_;
-};
-
 }  // namespace loomlight
