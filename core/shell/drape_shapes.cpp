@@ -137,21 +137,25 @@ DrapeMesh skirtDrape(const Drape& drape) {
   const ByLength around = curve(depth);
   const double waist = drape.radius_mm, hem = waist + drape.height_mm;
 
+  // Cells grow towards the hem as they grow wider: fewer of them, and the same surface, since two straight lines to the
+  // cone's tip span a plane.
   constexpr int kRows = 1500;  // each turns by 1.5 degrees at most, about
-  const int columns = cellsFor(drape.height_mm, kMaxCellAspect * 2 * kPi * waist / kRows, kMaxDrapeCells / kRows);
+  const double growth = 1 + kMaxCellAspect * 2 * kPi / kRows;
+  const int columns = cellsFor(std::log(hem / waist), std::log(growth), kMaxDrapeCells / kRows);
+  const auto radiusAt = [&](double column) { return waist * std::pow(hem / waist, column / columns); };
   // The circle closes: its last row is its first.
   const auto cut = [](double y) { return y >= 2 * kPi ? 0.0 : y; };
-  DrapeMesh mesh = gridMesh(drape.height_mm, 2 * kPi, columns, kRows, [&](glm::dvec2 uv) {
+  DrapeMesh mesh = gridMesh(columns, 2 * kPi, columns, kRows, [&](glm::dvec2 uv) {
     const double turn = around.at(cut(uv.y)), angle = flare(turn, depth);
     const glm::dvec3 out(std::cos(turn), std::sin(turn), 0), side(-out.y, out.x, 0);
     const glm::dvec3 ray = std::sin(angle) * out - glm::dvec3(0, 0, std::cos(angle));
     const double opening = -kFlutes * depth * std::sin(kFlutes * turn);  // of the angle, by the turn
     const glm::dvec3 along =
         std::sin(angle) * side + opening * (std::cos(angle) * out + glm::dvec3(0, 0, std::sin(angle)));
-    return SurfacePoint{(waist + uv.x) * ray, glm::normalize(glm::cross(ray, along))};
+    return SurfacePoint{radiusAt(uv.x) * ray, glm::normalize(glm::cross(ray, along))};
   });
   for (glm::vec2& uv : mesh.uv_mm) {
-    const double radius = waist + uv.x, angle = cut(uv.y);
+    const double radius = radiusAt(uv.x), angle = cut(uv.y);
     uv = glm::dvec2(hem + radius * std::cos(angle), hem + radius * std::sin(angle));
   }
   centre(mesh);

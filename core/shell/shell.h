@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/simd.h"
-#include "core/shell/drape_mesh.h"
+#include "core/shell/drape_surface.h"
 
 namespace loomlight {
 
@@ -52,7 +52,7 @@ class Shell {
   /// `uv` beyond [0, width] x [0, height] is cloth too if the mesh has it; the piece is made as large as the uv range.
   /// Prisms that thickness times curvature would turn inside out are thinned until they do not, and say so in repairs.
   /// Throws InputError if no triangle at all can carry cloth.
-  Shell(const DrapeMesh& mesh, double halfThickness_mm);
+  Shell(const DrapeSurface& surface, double halfThickness_mm);
 
   /// A flat drape is no mesh at all: world and cloth space differ by a translation, and one box holds everything.
   static Shell flat(double width_mm, double height_mm, double halfThickness_mm);
@@ -84,8 +84,8 @@ class Shell {
 
  private:
   Shell() = default;
-  void addPrisms(const DrapeMesh& mesh, std::span<const uint32_t> triangles, std::span<const uint32_t> welded);
-  void linkSides(const DrapeMesh& mesh, std::span<const uint32_t> triangles, std::span<const uint32_t> welded);
+  void addPrisms(const DrapeSurface& surface, std::span<const uint32_t> triangles);
+  void linkSides(const DrapeSurface& surface, std::span<const uint32_t> triangles);
   void collectBoundary();
 
   std::vector<glm::vec3> vertices_;  ///< two a mesh vertex: lower, upper

@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/shell/mesh_topology.h"
 #include "core/shell/prism.h"
 #include "core/shell/prism_layers.h"
 #include "core/shell/shell.h"
@@ -94,10 +93,10 @@ std::vector<glm::mat3> framesOf(const DrapeMesh& mesh, const PrismLayers& layers
 
 }  // namespace
 
-Shell::Shell(const DrapeMesh& mesh, double halfThickness_mm) : repairs_(mesh.repairs) {
+Shell::Shell(const DrapeSurface& surface, double halfThickness_mm) : repairs_(surface.mesh.repairs) {
+  const DrapeMesh& mesh = surface.mesh;
   halfThickness_mm_ = static_cast<float>(halfThickness_mm);
-  const std::vector<uint32_t> welded = weldByPosition(mesh.positions);
-  const PrismLayers layers = offsetLayers(mesh, welded, halfThickness_mm);
+  const PrismLayers layers = offsetLayers(mesh, surface.welded, halfThickness_mm);
   repairs_.insert(repairs_.end(), layers.repairs.begin(), layers.repairs.end());
   if (layers.triangles.empty()) throw InputError("drape: no triangle of the mesh can carry cloth of this thickness");
 
@@ -121,16 +120,17 @@ Shell::Shell(const DrapeMesh& mesh, double halfThickness_mm) : repairs_(mesh.rep
       upper_ = glm::max(upper_, glm::max(layers.lower[vertex], layers.upper[vertex]));
     }
   }
-  addPrisms(mesh, layers.triangles, welded);
-  linkSides(mesh, layers.triangles, welded);
+  addPrisms(surface, layers.triangles);
+  linkSides(surface, layers.triangles);
   collectBoundary();
 }
 
-void Shell::addPrisms(const DrapeMesh& mesh, std::span<const uint32_t> triangles, std::span<const uint32_t> welded) {
+void Shell::addPrisms(const DrapeSurface& surface, std::span<const uint32_t> triangles) {
+  const DrapeMesh& mesh = surface.mesh;
   tets_.resize(3 * triangles.size());
   forAll(triangles.size(), [&](size_t prism) {
     const glm::uvec3 triangle = mesh.triangles[triangles[prism]];
-    const std::array<int, 3> order = sortedCorners(triangle, welded);
+    const std::array<int, 3> order = sortedCorners(triangle, surface.welded);
     for (int k = 0; k < 3; ++k) {
       Tet& tet = tets_[3 * prism + static_cast<size_t>(k)];
       glm::dvec3 world[4], cloth[4];
@@ -150,10 +150,10 @@ void Shell::addPrisms(const DrapeMesh& mesh, std::span<const uint32_t> triangles
   });
 }
 
-void Shell::linkSides(const DrapeMesh& mesh, std::span<const uint32_t> triangles, std::span<const uint32_t> welded) {
-  std::vector<glm::uvec3> kept;
-  kept.reserve(triangles.size());
-  for (const uint32_t triangle : triangles) kept.push_back(mesh.triangles[triangle]);
+void Shell::linkSides(const DrapeSurface& surface, std::span<const uint32_t> triangles) {
+  constexpr int32_t kNone = -1;  // a triangle that carries no cloth
+  std::vector<int32_t> prismOf(surface.mesh.triangles.size(), kNone);
+  for (size_t prism = 0; prism < triangles.size(); ++prism) prismOf[triangles[prism]] = static_cast<int32_t>(prism);
 
   // The tetrahedra at the two triangles of a side, and the face (0..3) of each.
   struct TetFace {
@@ -161,7 +161,7 @@ void Shell::linkSides(const DrapeMesh& mesh, std::span<const uint32_t> triangles
     int face;
   };
   const auto faceOf = [&](const TriangleSide& side, int upper) {
-    const std::array<int, 3> order = sortedCorners(kept[side.triangle], welded);
+    const std::array<int, 3> order = sortedCorners(surface.mesh.triangles[side.triangle], surface.welded);
     const auto rank = [&](int corner) {
       return static_cast<int>(std::find(order.begin(), order.end(), corner) - order.begin());
     };
@@ -171,14 +171,17 @@ void Shell::linkSides(const DrapeMesh& mesh, std::span<const uint32_t> triangles
     while (kPrismFaces[k][face].kind != PrismFace::Kind::side || kPrismFaces[k][face].target != which ||
            kPrismFaces[k][face].upper != upper)
       ++face;
-    return TetFace{static_cast<int32_t>(3 * side.triangle) + k, face};
+    return TetFace{3 * prismOf[side.triangle] + k, face};
   };
   // Anything but two triangles that run the edge in opposite directions is no surface there: the cloth ends.
-  const std::vector<TriangleSide> sides = sortedSides(kept, welded);
-  forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
-    if (edge.size() != 2 || edge[0].forward == edge[1].forward) return;
+  std::vector<TriangleSide> carrying;
+  forEachEdge(surface.sides, [&](std::span<const TriangleSide> edge) {
+    carrying.clear();
+    for (const TriangleSide& side : edge)
+      if (prismOf[side.triangle] != kNone) carrying.push_back(side);
+    if (carrying.size() != 2 || carrying[0].forward == carrying[1].forward) return;
     for (int upper = 0; upper < 2; ++upper) {
-      const TetFace a = faceOf(edge[0], upper), b = faceOf(edge[1], upper);
+      const TetFace a = faceOf(carrying[0], upper), b = faceOf(carrying[1], upper);
       tets_[static_cast<size_t>(a.tet)].neighbour[a.face] = b.tet;
       tets_[static_cast<size_t>(b.tet)].neighbour[b.face] = a.tet;
     }

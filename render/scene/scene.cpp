@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "core/base/hash.h"
@@ -29,17 +28,18 @@ int crossings(double extent_mm, double pitch_mm) {
 
 /// The cloth that a fabric's drape asks for.
 struct Piece {
-  std::optional<DrapeMesh> mesh;  ///< none: flat
+  std::shared_ptr<const DrapeSurface> surface;  ///< null: flat
   int ends = 1, picks = 1;
 };
 
-Piece makePiece(const Fabric& fabric) {
+Piece makePiece(const Fabric& fabric, const SceneBase& base) {
   Piece piece;
   glm::dvec2 size_mm(fabric.drape.width_mm, fabric.drape.height_mm);
   if (fabric.drape.kind != DrapeKind::flat) {
-    piece.mesh = makeDrape(fabric.drape);
+    piece.surface = base.keeps(Stage::drape) ? base.scene->cloth->drape
+                                             : std::make_shared<const DrapeSurface>(makeDrape(fabric.drape));
     glm::vec2 lower(std::numeric_limits<float>::max()), upper(-std::numeric_limits<float>::max());
-    for (const glm::vec2 uv : piece.mesh->uv_mm) {
+    for (const glm::vec2 uv : piece.surface->mesh.uv_mm) {
       lower = glm::min(lower, uv);
       upper = glm::max(upper, uv);
     }
@@ -52,7 +52,7 @@ Piece makePiece(const Fabric& fabric) {
 
 std::shared_ptr<const Shell> makeShell(const Piece& piece, const ClothGeometry& geometry) {
   const double half = geometry.halfThickness_mm();
-  if (piece.mesh) return std::make_shared<const Shell>(*piece.mesh, half);
+  if (piece.surface) return std::make_shared<const Shell>(*piece.surface, half);
   return std::make_shared<const Shell>(
       Shell::flat(geometry.ends() * geometry.warpPitch_mm(), geometry.picks() * geometry.weftPitch_mm(), half));
 }
@@ -113,6 +113,7 @@ void lay(Unfinished& made, const Piece& piece, const ClothGeometry& geometry, co
   TraceData& cloth = made.cloth;
   const bool sameShell = base.keeps(Stage::drape | Stage::grid) &&
                          base.scene->cloth->volume->geometry().halfThickness_mm() == geometry.halfThickness_mm();
+  cloth.drape = piece.surface;
   cloth.shell = sameShell ? base.scene->cloth->shell : makeShell(piece, geometry);
   cloth.entry = sameShell ? base.scene->cloth->entry : std::make_shared<const ShellEntry>(cloth.shell);
   made.lookUpYarns(geometry);
@@ -140,6 +141,7 @@ bool makeCloth(Unfinished& made, const SceneBase& base, const ScenePreviews* fir
   const ClothVolume* volumeBefore = before ? before->volume.get() : nullptr;
   if (before && !base.edit.cloth()) {
     cloth.volume = before->volume;
+    cloth.drape = before->drape;
     cloth.shell = before->shell;
     cloth.entry = before->entry;
     cloth.fibres = before->fibres;
@@ -147,7 +149,7 @@ bool makeCloth(Unfinished& made, const SceneBase& base, const ScenePreviews* fir
     return true;
   }
   Stopwatch watch;
-  const Piece piece = makePiece(fabric);
+  const Piece piece = makePiece(fabric, base);
   const auto makeGeometry = [&](const ClothGeometry* known, bool sketched) {
     return std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks, known, sketched, task, base.tiling);
   };

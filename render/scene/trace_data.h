@@ -37,6 +37,7 @@ struct YarnOptics {
 /// the very TraceData it was made of.
 struct TraceData {
   std::shared_ptr<const ClothVolume> volume;
+  std::shared_ptr<const DrapeSurface> drape;  ///< what the shell is laid on; null where it is flat
   std::shared_ptr<const Shell> shell;
   std::shared_ptr<const ShellEntry> entry;
   /// The fibres themselves, for eyes that come near. Null in a preview, which nobody looks at for long enough, and

@@ -246,6 +246,24 @@ TEST(Shell, SharpBendsAreThinnedUntilNothingIsInsideOut) {
       EXPECT_NEAR(std::abs(shell.toCloth(static_cast<int>(i), shell.vertices()[vertex]).z), half, 1e-2);
 }
 
+// What is left out leaves nothing behind: the rest is linked as if it had never been there.
+TEST(Shell, IsThatOfTheTrianglesThatCarryCloth) {
+  DrapeMesh mesh = cylinder(3, 3, 5);
+  const uint32_t creased = mesh.triangles[mesh.triangles.size() / 2][1];
+  mesh.normals[creased] *= -1.0f;
+  DrapeMesh rest = mesh;
+  std::erase_if(rest.triangles, [&](glm::uvec3 t) { return t.x == creased || t.y == creased || t.z == creased; });
+  const Shell shell(mesh, 0.1), expected(rest, 0.1);
+  ASSERT_LT(rest.triangles.size(), mesh.triangles.size());
+  ASSERT_EQ(shell.tets().size(), expected.tets().size());
+  ASSERT_EQ(shell.boundary().size(), expected.boundary().size());
+  for (size_t i = 0; i < shell.tets().size(); ++i)
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_EQ(shell.tets()[i].vertex[k], expected.tets()[i].vertex[k]);
+      EXPECT_EQ(shell.tets()[i].neighbour[k], expected.tets()[i].neighbour[k]);
+    }
+}
+
 TEST(Shell, CreasesNoThicknessCanSaveAreLeftOut) {
   DrapeMesh mesh = cylinder(3, 3, 5);
   mesh.normals[mesh.triangles[0][1]] *= -1.0f;
