@@ -15,6 +15,7 @@
 #include "app/cli/view.h"
 #include "core/base/stopwatch.h"
 #include "core/fabric/model/choice_names.h"
+#include "core/shell/drape_mesh.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/bvdf/bvdf_picture.h"
 #include "render/colour/tone.h"

@@ -13,6 +13,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/view.h"
 #include "core/base/stopwatch.h"
+#include "core/shell/drape_mesh.h"
 
 namespace loomlight {
 namespace {

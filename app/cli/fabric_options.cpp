@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/fabric/model/colourways.h"
-#include "core/shell/shell.h"
+#include "core/shell/drape_mesh.h"
 
 namespace loomlight {
 namespace {

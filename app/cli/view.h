@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/fabric/model/fabric.h"
-#include "core/shell/shell.h"
+#include "core/shell/drape_mesh.h"
 
 namespace loomlight {
 

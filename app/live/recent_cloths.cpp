@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/shell/drape_surface.h"
 #include "render/scene/fibre_bricks.h"
 
 namespace loomlight {
@@ -49,6 +50,7 @@ void RecentCloths::count(size_t i) {
   entries_[i].bytes = own.volume->bytesBeside(*newer.volume);
   if (own.fibres && own.fibres != newer.fibres) entries_[i].bytes += own.fibres->bytes();
   if (own.shell != newer.shell) entries_[i].bytes += own.shell->bytes();
+  if (own.drape && own.drape != newer.drape) entries_[i].bytes += own.drape->bytes();
   bytes_ += entries_[i].bytes;
 }
 

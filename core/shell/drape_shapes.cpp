@@ -137,8 +137,8 @@ DrapeMesh skirtDrape(const Drape& drape) {
   const ByLength around = curve(depth);
   const double waist = drape.radius_mm, hem = waist + drape.height_mm;
 
-  // Cells grow towards the hem as they grow wider: fewer of them, and the same surface, since two straight lines to the
-  // cone's tip span a plane.
+  // Cells may be longer where they are wider, so they grow towards the hem, and there are fewer of them. The surface is
+  // the same, since two straight lines to the cone's tip span a plane.
   constexpr int kRows = 1500;  // each turns by 1.5 degrees at most, about
   const double growth = 1 + kMaxCellAspect * 2 * kPi / kRows;
   const int columns = cellsFor(std::log(hem / waist), std::log(growth), kMaxDrapeCells / kRows);

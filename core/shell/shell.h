@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "core/base/simd.h"
-#include "core/shell/drape_surface.h"
 
 namespace loomlight {
+
+struct DrapeSurface;
 
 /// The cloth's slab, bent onto a drape: every triangle, offset to both sides by half the thickness, is a prism of three
 /// tetrahedra, split consistently so that neighbours share faces. In a tetrahedron the map from world to cloth is

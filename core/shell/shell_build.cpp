@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/shell/drape_surface.h"
 #include "core/shell/prism.h"
 #include "core/shell/prism_layers.h"
 #include "core/shell/shell.h"

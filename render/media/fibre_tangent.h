@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/random_lanes.h"
-#include "core/volume/pool/component.h"
 #include "render/optics/fibre_frame.h"
 #include "render/optics/polynomials.h"
 

@@ -116,7 +116,7 @@ bool LaneWalker::take(size_t lane, std::span<const DepthRay> rays, DepthRayEnds&
   return false;
 }
 
-/// Goes to the ray's next segment in which there is any of the piece; false where there is none.
+/// Goes to the ray's next segment beyond its clear way in which there is any of the piece; false where there is none.
 bool LaneWalker::enterSegment(size_t lane, const DepthRay& ray) {
   Ray& own = rays_[lane];
   WalkLanes& l = *lanes_;

@@ -18,7 +18,7 @@ class LoomlightBatch final : public PathStates<LoomlightMedium::Memory> {
     paths_[path].place = {medium_.exit(met, wi, inside), met.place.tet};
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override { transmitBeyond(rays, {}, counts); }
-  /// The same, were so much of the way of each ray empty at its beginning, mm; all of them in full where `clear_mm` is.
+  /// The same, were so much of each ray's way empty at its beginning. An empty `clear_mm` means that none is.
   void transmitBeyond(std::span<ShadowRay> rays, std::span<const float> clear_mm, TraceCounts& counts);
   size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {
     return medium_.offsetsAcross(met, paths_[path].memory, offsets, random);

@@ -1,6 +1,7 @@
 #include "render/media/loomlight_medium.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "render/media/across_fibre.h"
@@ -27,6 +28,8 @@ bool isWithin(glm::vec3 place, glm::vec3 lower, glm::vec3 upper) {
 
 LoomlightMedium::LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredients ingredients)
     : cloth_(std::move(cloth)), ingredients_(ingredients) {
+  assert((ingredients.boxes && ingredients.law == EventLaw::projected) ||
+         !(ingredients.finiteRadius || ingredients.packing || ingredients.hotSpot));
   float sum = 0;
   int count = 0;
   for (const auto& system : cloth_->yarns)

@@ -11,9 +11,9 @@ namespace loomlight {
 /// The cloth as a statistical volume that knows what fibres are: our default. It begins as the volume of the report
 /// (section 8.1): virtual scattering events, whose free flights are exact exponentials through the summed extinction of
 /// every voxel; the component that is met is chosen in proportion to its own extinction, its tangent weighted by the
-/// sine, which is the law of the fibre that a random ray hits (EventLaw::projected), or both by density alone
-/// (EventLaw::report). Where across the fibre is uniform, and a fibre is a point: light leaves where it came in. On top
-/// of that it has
+/// sine, which is the law of the fibre that a random ray hits (EventLaw::projected); or the component by density alone
+/// and the tangent not weighted (EventLaw::report). Where across the fibre is uniform, and a fibre is a point: light
+/// leaves where it came in. On top of that it has
 ///
 /// finite radius: light meets the surface of a fibre, not its axis. Along a ray the one lies before the other by half
 ///   the mean chord, c = phi / (2 sigma), phi being the share of space that is fibre; so the extinction at p is that of
@@ -41,15 +41,16 @@ namespace loomlight {
 /// All of it is one law of free flight, for paths and for shadow rays alike, so a white furnace stays exactly white.
 class LoomlightMedium final : public Medium {
  public:
-  /// Each can be switched off, to see what it does.
+  /// The first three can be switched off one by one, to see what each does. The others are as here wherever one of the
+  /// first three is on.
   struct Ingredients {
     bool finiteRadius = true;
     bool packing = true;
     bool hotSpot = true;
     bool boxes = true;
-    EventLaw law = EventLaw::projected;  ///< the report's is for a volume without finite radius
+    EventLaw law = EventLaw::projected;
   };
-  /// The volume alone.
+  /// The volume alone: none of them.
   static constexpr Ingredients plain(EventLaw law) { return {false, false, false, false, law}; }
 
   LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredients ingredients);

@@ -269,8 +269,8 @@ void LoomlightMeetings::choose(const Meeting& meeting, size_t lane, Fibres& fibr
   chooseAmong(meeting, lane, content, fibres, ExtinctionAt{inVoxel});
 }
 
-/// In the voxel that the walk has found, at a place in widths of it. Where flights of before leave nothing of all that
-/// is there, it is one of them all the same.
+/// In the voxel that the walk has found, at a place in widths of it (which only says whose boxes it is in). Where
+/// flights of before leave nothing of all that is there, it is one of them all the same.
 void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, glm::vec3 inVoxel, Fibres& fibres) {
   const FoundFibres& found = *meeting.found;
   if (found.component >= 0) return take(meeting, lane, found.cell, found.component, found.slot, fibres);

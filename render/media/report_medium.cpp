@@ -50,7 +50,7 @@ class ReportMedium::Batch final : public MediumBatch {
     for (ShadowRay& ray : rays) {
       const bool straight = met_[ray.path].events == 1;  // from a lamp to the first fibre
       ray.visible = straight ? nearby(ray) : 1;
-      if (ray.visible <= 0) continue;
+      if (!(ray.visible > 0)) continue;
       cast_.push_back(ray);
       clear_mm_.push_back(straight ? distanceThroughCell(*medium_.cloth_, place(ray.path), ray.direction) : 0);
     }

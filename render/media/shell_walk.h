@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "render/media/medium.h"
 #include "render/scene/shell_entry.h"

@@ -12,8 +12,8 @@
 
 namespace loomlight {
 
-// What a ray meets in one voxel of each of its components, and the component that a collision is with. What it meets of
-// all of them is summed up in lanes (render/walk).
+// The extinction of each component of a voxel, and the choice of the one that a collision is with. Their sum along a
+// flight is found in lanes (render/walk).
 
 /// [system][index into Fabric::yarns]
 using YarnTables = std::array<std::vector<YarnOptics>, 2>;

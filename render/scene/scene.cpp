@@ -9,6 +9,7 @@
 #include "core/base/stopwatch.h"
 #include "core/fabric/model/finish.h"
 #include "core/fabric/model/yarn_count.h"
+#include "core/shell/drape_surface.h"
 #include "render/scene/cells_in_view.h"
 #include "render/scene/fibre_bricks.h"
 #include "render/scene/shell_entry.h"

@@ -13,6 +13,7 @@ namespace loomlight {
 
 class FibreBricks;
 class ShellEntry;
+struct DrapeSurface;
 
 /// What light does at the fibres of one material. Colour is apart: Scene::colouring.
 struct Material {
@@ -37,7 +38,9 @@ struct YarnOptics {
 /// the very TraceData it was made of.
 struct TraceData {
   std::shared_ptr<const ClothVolume> volume;
-  std::shared_ptr<const DrapeSurface> drape;  ///< what the shell is laid on; null where it is flat
+  /// What the shell is laid on; null where it is flat. It stays until the drape itself is edited: a mesh file is not
+  /// read again before.
+  std::shared_ptr<const DrapeSurface> drape;
   std::shared_ptr<const Shell> shell;
   std::shared_ptr<const ShellEntry> entry;
   /// The fibres themselves, for eyes that come near. Null in a preview, which nobody looks at for long enough, and

@@ -69,7 +69,7 @@ struct CellLanes {
 
 /// Which fibres a voxel of each ray holds, or a place in it.
 struct FoundLanes {
-  LaneFloats whole;    ///< extinction of all, each component in the box that it lies in, 1/mm
+  LaneFloats whole;    ///< extinction of all, 1/mm; each component in its box, where WalkField::boxes holds
   LaneInts component;  ///< the number of the component, if there is one alone; kNone or kSeveral if not
   LaneInts slot;       ///< whose brick that component is in
   static constexpr int32_t kNone = -1, kSeveral = -2;

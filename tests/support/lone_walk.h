@@ -6,6 +6,7 @@
 
 #include "render/media/lane_walker.h"
 #include "render/media/voxel_extinction.h"
+#include "tests/support/voxel_march.h"
 
 namespace loomlight::test {
 
@@ -59,6 +60,7 @@ class VoxelsOnRay {
       : cloth_(cloth),
         rules_(rules),
         known_(*ray.known),
+        clear_mm_(ray.clear_mm),
         direction_(ray.direction),
         shell_(cloth, ray.from, ray.direction, ray.tMax_mm) {}
 
@@ -79,7 +81,7 @@ class VoxelsOnRay {
   double depthTo(double u) const {
     double depth = 0;
     for (const Stretch& s : stretches_) {
-      const double start = std::max(s.enter, segment().tEnter + ahead);
+      const double start = std::max(s.enter, lightStart_ + ahead);
       const double stop = std::min({s.leave, segment().tLeave + ahead, u});
       // Until the light is in the stretch itself, gaps are as wide as in the voxel before.
       const double turn = std::clamp(s.enter + ahead, start, std::max(start, stop));
@@ -98,11 +100,12 @@ class VoxelsOnRay {
   bool enterSegment() {
     if (!shell_.next()) return false;
     const ShellSegment& s = segment();
+    lightStart_ = std::max(s.tEnter, clear_mm_ - s.passed);
     unknown_.emplace(known_, s, cloth_.volume->grid(),
                      cloth_.shell->isFlat() ? glm::mat3(1.0f) : cloth_.shell->tets()[s.tet].toCloth);
     last_ = -1;
     filled_ = 0;
-    march_.emplace(*cloth_.volume, s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + rules_.farthest_mm);
+    march_.emplace(*cloth_.volume, s.clothOrigin, s.clothDirection, lightStart_, s.tLeave + rules_.farthest_mm);
     return true;
   }
 
@@ -113,13 +116,14 @@ class VoxelsOnRay {
     stretches_.clear();
     double whole = 0, solid = 0, kept = 0, first = leave(), last = enter();
     forEachComponent(cloth_.yarns, content(), segment().drape, [&](const VoxelFibres& component) {
-      const double r = component.optics->fibreRadius_mm, crowding = component.box.crowding();
+      const VoxelBox box = rules_.boxes ? component.box : VoxelBox();
+      const double r = component.optics->fibreRadius_mm, crowding = box.crowding();
       const double inside = kPi * r * r * component.fibres.lengthDensity * crowding;
       const double sigma = extinction(component.fibres, *component.optics, direction_) * crowding;
       whole += sigma;
       solid += inside;
       Stretch stretch{enter(), leave(), sigma * share(component), inside * component.optics->separation};
-      if (!clip(component.box, stretch)) return;
+      if (!clip(box, stretch)) return;
       kept += stretch.kept * (stretch.leave - stretch.enter);
       first = std::min(first, stretch.enter);
       last = std::max(last, stretch.leave);
@@ -155,6 +159,8 @@ class VoxelsOnRay {
   const TraceData& cloth_;
   LaneWalker::Rules rules_;
   const KnownFibres& known_;
+  float clear_mm_;
+  float lightStart_ = 0;  ///< where the light is in the segment, from the segment's origin
   glm::vec3 direction_;
   ShellWalk shell_;
   std::optional<CorrelationState> unknown_;  ///< of the segment

@@ -4,10 +4,11 @@
 
 #include "render/media/shell_walk.h"
 #include "render/media/voxel_extinction.h"
+#include "tests/support/voxel_march.h"
 
 namespace loomlight::test {
 
-// What the lanes do for many rays, for one of them and in plain words.
+// One ray through the voxels of draped cloth, without lanes: what tests hold the lanes against.
 
 /// The sum over a voxel's components, of which each counts with its share; 1/mm.
 template <class Share = WholeExtinction>

@@ -15,7 +15,7 @@ namespace {
 
 using Ingredients = LoomlightMedium::Ingredients;
 
-/// Every ingredient of ours that can be left out: a line each.
+/// Every ingredient of ours that can be left out by itself: a line each.
 struct Ablation {
   const char* name;
   bool Ingredients::* ingredient;

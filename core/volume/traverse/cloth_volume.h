@@ -83,7 +83,7 @@ class ClothVolume {
 
   /// The part of a ray that lies in the piece.
   class RayInPiece;
-  /// The voxels with content that a ray crosses, in order.
+  /// The voxels with content that a ray crosses, in order. Only tests define it: pictures are walked in lanes.
   class March;
   // For those who let many rays march side by side (render/walk), in plain numbers:
   /// A ray that comes into the piece and goes from cell to cell.
@@ -174,4 +174,4 @@ class ClothVolume {
 }  // namespace loomlight
 
 #include "core/volume/traverse/cloth_volume_cells.h"
-#include "core/volume/traverse/cloth_volume_march.h"
+#include "core/volume/traverse/cloth_volume_rays.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/volume/traverse/cloth_volume_march.h"
+#include "core/volume/traverse/cloth_volume_rays.h"
 
 namespace loomlight {
 

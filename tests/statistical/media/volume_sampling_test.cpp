@@ -126,9 +126,8 @@ struct HowMet {
   }
 };
 
-// Where a voxel holds several components, which of them is met, and so how its fibres lie to the ray, is as often so as
-// where the event law draws anew in the same voxel, in plain numbers. Rays run low over the weft, so the two laws
-// differ.
+// Where a voxel holds several components, those that the medium meets have the same means as those that
+// chooseComponent() draws anew in the same voxel. Rays run low over the weft, so the two laws differ.
 TEST(Meetings, AreWithTheFibresOfTheirLaw) {
   constexpr int kFlights = 60000;
   Fabric fabric = test::whiteCotton();

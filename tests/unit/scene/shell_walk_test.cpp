@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/shell/drape_surface.h"
 #include "render/scene/shell_entry.h"
 
 namespace loomlight {
@@ -140,7 +141,7 @@ glm::vec3 unitVector(Random& random) {
 
 class ShellWalk : public testing::TestWithParam<const char*> {
  protected:
-  ShellWalk() : shell_(std::make_shared<const Shell>(named(GetParam()), 0.4)), entry_(shell_) {}
+  ShellWalk() : shell_(std::make_shared<const Shell>(DrapeSurface(named(GetParam())), 0.4)), entry_(shell_) {}
 
   /// What is walked must be the union of the tetrahedra, to within rounding at its ends.
   void expectCovered(glm::vec3 origin, glm::vec3 direction, double tolerance) {

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "core/shell/drape_surface.h"
 #include "core/shell/shell.h"
 
 namespace loomlight {
@@ -67,7 +68,7 @@ TEST(FoldedCloth, SampleIsClothWithRoomForItsThickness) {
   EXPECT_EQ(mesh.positions.size(), 101u * 101u);
   expectUnstretched(mesh, 0.02, 0.15);
   expectNoContact(mesh, 6, 1.0f);
-  const Shell shell(mesh, 0.4);
+  const Shell shell(DrapeSurface(mesh), 0.4);
   EXPECT_THAT(shell.repairs(), testing::IsEmpty());
   EXPECT_EQ(shell.uvUpper_mm() - shell.uvLower_mm(), glm::vec2(60, 60));
 }

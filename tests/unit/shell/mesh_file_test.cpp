@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/shell/drape_surface.h"
 #include "core/shell/shell.h"
 #include "tests/support/scratch_folder.h"
 
@@ -100,7 +101,7 @@ TEST_F(MeshFiles, SeamsSplitVerticesButNotTheShell) {
                               "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 2 0\nvt 2 2\nvt 10 0\nvt 12 2\nvt 10 2\n"
                               "f 1/1 2/2 3/3\nf 1/4 3/5 4/6\n");
   EXPECT_EQ(mesh.positions.size(), 6u);
-  const Shell shell(mesh, 0.1);
+  const Shell shell(DrapeSurface(mesh), 0.1);
   size_t inner = 0;
   for (const Shell::Tet& tet : shell.tets())
     for (const int32_t neighbour : tet.neighbour) inner += neighbour >= 0;
@@ -208,7 +209,7 @@ TEST_F(MeshFiles, TurnsMirroredTextureAndWindingRound) {
                    up),
           0);
     }
-    EXPECT_THAT(Shell(mesh, 0.1).tets(), testing::SizeIs(6));
+    EXPECT_THAT(Shell(DrapeSurface(mesh), 0.1).tets(), testing::SizeIs(6));
   }
 }
 
@@ -218,7 +219,7 @@ TEST_F(MeshFiles, EndsTheClothAtCrowdedEdges) {
                               "v 0 0 0\nv 0 2 0\nv 2 1 0\nv -2 1 0\nv 0 1 2\nvt 0 0\nvt 0 2\nvt 2 1\nvt -2 1\nvt 1 1\n"
                               "f 2/2 1/1 3/3\nf 1/1 2/2 4/4\nf 2/2 1/1 5/5\n");
   EXPECT_THAT(mesh.repairs, testing::Contains(HasSubstr("1 edges are shared by more than two triangles")));
-  const Shell shell(mesh, 0.05);
+  const Shell shell(DrapeSurface(mesh), 0.05);
   for (const Shell::Tet& tet : shell.tets()) EXPECT_GT(glm::determinant(tet.toCloth), 0);
 }
 
@@ -250,7 +251,7 @@ TEST_F(MeshFiles, SurvivesDamagedFiles) {
         if (kind == 3) content.insert(at, content.substr(random.below(static_cast<uint32_t>(content.size())), 12));
       }
       try {
-        const Shell shell(load(name, content), 0.1);
+        const Shell shell(DrapeSurface(load(name, content)), 0.1);
         ++accepted;
         for (const Shell::Tet& tet : shell.tets()) EXPECT_GT(glm::determinant(tet.toCloth), 0);
       } catch (const InputError& error) {

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/shell/drape_grid.h"
+#include "core/shell/drape_surface.h"
 
 namespace loomlight {
 namespace {
@@ -62,7 +63,7 @@ Corner cornerAt(glm::vec3 p) {
 
 class ShellOf : public testing::TestWithParam<const char*> {
  protected:
-  ShellOf() : mesh_(meshOf(GetParam())), shell_(mesh_, kHalf) {}
+  ShellOf() : mesh_(meshOf(GetParam())), shell_(DrapeSurface(mesh_), kHalf) {}
   static DrapeMesh meshOf(const std::string& name) {
     if (name == "sphere") return sphere(12, 6);
     return name == "coil" ? cylinder(10, 2 * kPi * 6, 6) : cylinder(10, 20, 6);
@@ -187,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(Drapes, ShellOf, testing::Values("cylinder", "coil", "s
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(Shell, FramesOfACylinderAreExact) {
-  const Shell shell(cylinder(10, 20, 6), kHalf);
+  const Shell shell(DrapeSurface(cylinder(10, 20, 6)), kHalf);
   // Half way over a facet its plane lies below the arc, and the mean of two unit vectors is shorter than they are, both
   // by an eighth of the angle's square; a volume has all three.
   const double angle = facetAcross(6) / 6, sag = angle * angle / 8 * (1 + kHalf / 6) + 5e-4;
@@ -207,7 +208,7 @@ TEST(Shell, FramesOfACylinderAreExact) {
 
 TEST(Shell, FrameInvertsTheMapToCloth) {
   const double half = 0.06, radius = 6;
-  const Shell shell(sphere(8, radius), half);
+  const Shell shell(DrapeSurface(sphere(8, radius)), half);
   // A tetrahedron may have the stretch of either layer all through, and its facet is off by half a facet's angle.
   const double tolerance = 2 * half / radius + facetAcross(radius) / radius / 2;
   Random random(6);
@@ -223,7 +224,7 @@ TEST(Shell, FrameInvertsTheMapToCloth) {
 TEST(Shell, ACoilIsClosed) {
   // Only the two ends of the tube and its two faces bound it: the seam does not.
   const DrapeMesh mesh = cylinder(10, 2 * kPi * 6, 6);
-  const Shell shell(mesh, kHalf);
+  const Shell shell(DrapeSurface(mesh), kHalf);
   for (const Shell::BoundaryFace& face : shell.boundary()) {
     const glm::vec3 a = shell.vertices()[face.vertex[0]];
     const glm::vec3 normal =
@@ -236,7 +237,7 @@ TEST(Shell, ACoilIsClosed) {
 
 TEST(Shell, SharpBendsAreThinnedUntilNothingIsInsideOut) {
   const double half = 1.0;  // on a radius of 0.6: the inner layer would pass the axis
-  const Shell shell(cylinder(3, 3, 0.6), half);
+  const Shell shell(DrapeSurface(cylinder(3, 3, 0.6)), half);
   ASSERT_EQ(shell.repairs().size(), 1u);
   EXPECT_THAT(shell.repairs()[0], testing::HasSubstr("thinned"));
   for (const Shell::Tet& tet : shell.tets()) ASSERT_GT(glm::determinant(tet.toCloth), 0);
@@ -253,7 +254,7 @@ TEST(Shell, IsThatOfTheTrianglesThatCarryCloth) {
   mesh.normals[creased] *= -1.0f;
   DrapeMesh rest = mesh;
   std::erase_if(rest.triangles, [&](glm::uvec3 t) { return t.x == creased || t.y == creased || t.z == creased; });
-  const Shell shell(mesh, 0.1), expected(rest, 0.1);
+  const Shell shell(DrapeSurface(mesh), 0.1), expected(DrapeSurface(rest), 0.1);
   ASSERT_LT(rest.triangles.size(), mesh.triangles.size());
   ASSERT_EQ(shell.tets().size(), expected.tets().size());
   ASSERT_EQ(shell.boundary().size(), expected.boundary().size());
@@ -267,13 +268,13 @@ TEST(Shell, IsThatOfTheTrianglesThatCarryCloth) {
 TEST(Shell, CreasesNoThicknessCanSaveAreLeftOut) {
   DrapeMesh mesh = cylinder(3, 3, 5);
   mesh.normals[mesh.triangles[0][1]] *= -1.0f;
-  const Shell shell(mesh, 0.1);
+  const Shell shell(DrapeSurface(mesh), 0.1);
   EXPECT_LT(shell.tets().size(), 3 * mesh.triangles.size());
   ASSERT_FALSE(shell.repairs().empty());
   EXPECT_THAT(shell.repairs().back(), testing::HasSubstr("left out"));
   for (glm::vec3& normal : mesh.normals) normal = -normal;
   for (glm::vec2& uv : mesh.uv_mm) uv.x = -uv.x;
-  EXPECT_THROW(Shell(mesh, 0.1), InputError);
+  EXPECT_THROW(Shell(DrapeSurface(mesh), 0.1), InputError);
 }
 
 TEST(Shell, FlatIsATranslation) {

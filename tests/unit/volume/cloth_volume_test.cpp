@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/volume/pool/tangent_spread.h"
+#include "tests/support/voxel_march.h"
 #include "tests/unit/volume/volume_fixture.h"
 
 namespace loomlight {

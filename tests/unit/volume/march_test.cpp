@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "tests/support/voxel_march.h"
 #include "tests/unit/volume/volume_fixture.h"
 
 namespace loomlight {
