@@ -10,8 +10,9 @@
 // How it works. A cell's shape depends on five crossings, its own in their middle: three nodes, and the neighbours of
 // each. Reading a row of cells therefore slides a window of five bits, one for each crossing (is this yarn over?),
 // along the yarn; a table of all 32 windows, made when the program is compiled, gives sides and float states of the
-// three nodes at once. A second window holds the classes of the three yarns that are crossed. Both packed together are
-// the code, so a crossing of a jacquard costs two shifts and a look-up.
+// three nodes at once. A second window holds the classes of the three yarns that are crossed, and where threads crowd a
+// third how far the yarn leans to either side there, by the crossings of the yarns beside it. All packed together are
+// the code, so a crossing of a jacquard costs few shifts and a look-up.
 //
 // The repeat of the codes is the least common multiple of the repeats of weave and yarn sequence, after each was
 // reduced to its smallest period: the smallest divisor of its length after which it agrees with itself.
@@ -65,10 +66,30 @@ int leastCommonMultiple(int a, int b) {
   return static_cast<int>(std::min<int64_t>(multiple, std::numeric_limits<int>::max()));
 }
 
-// What one node of a path comes from: the float state in 2 bits, the side in 1, the class crossed in the 6 that 64
-// yarns need. A cell's shape code has its own class above those of its three nodes.
-constexpr int kFloatBits = 3, kOverBit = 4, kNodeBits = kFloatBits + 6;
+// What one node of a path comes from: the float state in 2 bits, the side in 1, the leaning in 4, the class crossed in
+// the 6 that 64 yarns need. A cell's shape code has its own class above those of its three nodes.
+constexpr int kFloatBits = 3, kOverBit = 4, kLeaningBits = 4, kClassShift = kFloatBits + kLeaningBits;
+constexpr int kNodeBits = kClassShift + 6;
+constexpr ShapeCode kThreeNodes = (ShapeCode{1} << (3 * kNodeBits)) - 1;
 static_assert(kFloatStates <= kOverBit);
+
+/// To which neighbour a yarn is drawn where threads of these sides cross: 1 the one after it, -1 the one before it, 0
+/// neither, as the crossing thread parts it from both or from none.
+constexpr int drawnTo(bool own, bool before, bool after) {
+  return (own != before) - (own != after);
+}
+
+/// A leaning, of either sign, as it stands in a code and back.
+constexpr ShapeCode codeOfLeaning(int leaning) {
+  return static_cast<ShapeCode>(leaning & ((1 << kLeaningBits) - 1)) << kFloatBits;
+}
+constexpr int leaningOf(int node) {
+  constexpr int kSign = 1 << (kLeaningBits - 1);
+  const int bits = node >> kFloatBits & ((1 << kLeaningBits) - 1);
+  return (bits ^ kSign) - kSign;
+}
+static_assert(leaningOf(static_cast<int>(codeOfLeaning(-kMostLeaning))) == -kMostLeaning);
+static_assert(leaningOf(static_cast<int>(codeOfLeaning(kMostLeaning))) == kMostLeaning);
 
 // The sides at the three nodes of a cell and the crossings beside them, one bit each, tell how the yarn floats at each
 // node: a table, because there is one look-up for every crossing of a jacquard.
@@ -96,8 +117,8 @@ std::vector<int> shortestRepeat(std::vector<int> list) {
   return list;
 }
 
-CellCodes::CellCodes(const Weave& weave, std::array<std::vector<int>, 2> classes)
-    : weave_(weave), classes_(std::move(classes)) {
+CellCodes::CellCodes(const Weave& weave, std::array<std::vector<int>, 2> classes, bool crowded)
+    : weave_(weave), classes_(std::move(classes)), crowded_(crowded) {
   const int weavePicks =
       smallestPeriod(weave_.picks(), [&](int a, int b) { return sameRow(weave_.row(a), weave_.row(b)); });
   const int weaveEnds = smallestPeriodOfEnds(weave_);
@@ -110,30 +131,34 @@ int CellCodes::geometryClass(System system, int index) const {
   return all[wrap(index, static_cast<int>(all.size()))];
 }
 
-/// warpOver(i): of the crossing at i along the yarn, 0 <= i < as many as the weave has.
-template <class WarpOver>
-void CellCodes::readOf(System system, int across, int along, const WarpOver& warpOver,
+/// warpOver(i), drawn(i): of the crossing at i along the yarn, 0 <= i < as many as the weave has.
+template <class WarpOver, class Drawn>
+void CellCodes::readOf(System system, int across, int along, const WarpOver& warpOver, const Drawn& drawn,
                        std::span<ShapeCode> codes) const {
   const bool warp = system == System::warp;
   const int alongCount = warp ? weave_.picks() : weave_.ends();
   const std::vector<int>& others = classes(warp ? System::weft : System::warp);
   const ShapeCode own = static_cast<ShapeCode>(geometryClass(system, across)) << (3 * kNodeBits);
 
-  // Both slide along the yarn: the sides of the crossings in reach, and the classes of the three yarns that are
-  // crossed.
+  // All slide along the yarn: the sides of the crossings in reach, the leanings, which are one behind as they count the
+  // crossing that is just seen, and the classes of the three yarns that are crossed.
   int ahead = wrap(along - kReach, alongCount);
   unsigned sides = 0;
+  ShapeCode leanings = 0;
+  int drawnBefore = 0, drawnHere = 0;
   const auto see = [&] {
     const bool over = warpOver(ahead) == warp;
     sides = sides >> 1 | static_cast<unsigned>(over) << (kSidesSeen - 1);
+    const int drawnAfter = drawn(ahead);
+    leanings = (leanings << kNodeBits | codeOfLeaning(kLeaning * drawnHere + drawnBefore + drawnAfter)) & kThreeNodes;
+    drawnBefore = std::exchange(drawnHere, drawnAfter);
     if (++ahead == alongCount) ahead = 0;
   };
   for (int i = 0; i < kSidesSeen - 1; ++i) see();
   auto other = static_cast<size_t>(wrap(along - 1, static_cast<int>(others.size())));
   ShapeCode crossed = 0;
   const auto cross = [&] {
-    crossed = (crossed << kNodeBits | static_cast<ShapeCode>(others[other]) << kFloatBits) &
-              ((ShapeCode{1} << (3 * kNodeBits)) - 1);
+    crossed = (crossed << kNodeBits | static_cast<ShapeCode>(others[other]) << kClassShift) & kThreeNodes;
     if (++other == others.size()) other = 0;
   };
   cross();
@@ -141,29 +166,47 @@ void CellCodes::readOf(System system, int across, int along, const WarpOver& war
   for (ShapeCode& code : codes) {
     see();
     cross();
-    code = own | crossed | kFloatCodes[sides];
+    code = own | crossed | leanings | kFloatCodes[sides];
   }
 }
 
-void CellCodes::read(System system, int across, int along, std::span<const uint8_t> crossings,
+void CellCodes::read(System system, int across, int along, const YarnCrossings& crossings,
                      std::span<ShapeCode> codes) const {
-  const uint8_t* const sides = crossings.data();
-  readOf(system, across, along, [sides](int i) { return sides[i] != 0; }, codes);
+  const uint8_t *const own = crossings.own.data(), *const before = crossings.before.data(),
+                       *const after = crossings.after.data();
+  const auto warpOver = [own](int i) { return own[i] != 0; };
+  if (crowded_) {
+    const auto drawn = [=](int i) { return drawnTo(own[i] != 0, before[i] != 0, after[i] != 0); };
+    readOf(system, across, along, warpOver, drawn, codes);
+  } else {
+    readOf(system, across, along, warpOver, [](int) { return 0; }, codes);
+  }
 }
 
 void CellCodes::read(System system, int across, int along, std::span<ShapeCode> codes) const {
   if (system == System::weft) {
-    read(system, across, along, weave_.row(wrap(across, weave_.picks())), codes);
+    const auto row = [this](int pick) { return weave_.row(wrap(pick, weave_.picks())); };
+    read(system, across, along, {row(across), row(across - 1), row(across + 1)}, codes);
+    return;
+  }
+  const auto column = [this](int index) {
+    return [this, end = wrap(index, weave_.ends())](int pick) { return weave_.at(pick, end); };
+  };
+  const auto own = column(across);
+  if (crowded_) {
+    const auto drawn = [own, before = column(across - 1), after = column(across + 1)](int pick) {
+      return drawnTo(own(pick), before(pick), after(pick));
+    };
+    readOf(system, across, along, own, drawn, codes);
   } else {
-    const int end = wrap(across, weave_.ends());
-    readOf(system, across, along, [this, end](int pick) { return weave_.at(pick, end); }, codes);
+    readOf(system, across, along, own, [](int) { return 0; }, codes);
   }
 }
 
 CellShape shapeOf(ShapeCode code) {
   const auto nodeAt = [code](int place) {
     const int bits = static_cast<int>(code >> (place * kNodeBits)) & ((1 << kNodeBits) - 1);
-    return CellShape::Node{bits >> kFloatBits, (bits & kOverBit) != 0, bits & (kOverBit - 1)};
+    return CellShape::Node{bits >> kClassShift, (bits & kOverBit) != 0, bits & (kOverBit - 1), leaningOf(bits)};
   };
   return {static_cast<int>(code >> (3 * kNodeBits)), nodeAt(2), nodeAt(1), nodeAt(0)};
 }
@@ -176,8 +219,8 @@ ShapeCode renamed(System system, ShapeCode code, const ClassNames& names) {
   ShapeCode result = name(names[own], code >> (3 * kNodeBits)) << (3 * kNodeBits);
   for (int place = 0; place < 3; ++place) {
     const ShapeCode node = code >> (place * kNodeBits) & ((1 << kNodeBits) - 1);
-    const ShapeCode floating = node & ((1 << kFloatBits) - 1);
-    result |= (name(names[crossed], node >> kFloatBits) << kFloatBits | floating) << (place * kNodeBits);
+    const ShapeCode lying = node & ((1 << kClassShift) - 1);
+    result |= (name(names[crossed], node >> kClassShift) << kClassShift | lying) << (place * kNodeBits);
   }
   return result;
 }

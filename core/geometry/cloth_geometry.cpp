@@ -7,7 +7,7 @@ namespace loomlight {
 ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous, bool sketched,
                              const Task& task, const Tiling& tiling)
     : yarns_(fabric, previous ? &previous->yarns_ : nullptr, sketched, task, tiling),
-      codes_(fabric.weave, {yarns_.classes(System::warp), yarns_.classes(System::weft)}),
+      codes_(fabric.weave, {yarns_.classes(System::warp), yarns_.classes(System::weft)}, fabric.crowding > 0),
       ends_(ends),
       picks_(picks) {
   assert(ends >= 1 && picks >= 1);

@@ -35,7 +35,7 @@ Yielding yieldingOf(double press, double packing, int floatState);
 
 /// The section of a yarn between two crossings, C1: from one's to the other's, and halfway eased a quarter of the way
 /// to the section that the yarn has where nothing presses it. Relaxed yarns ease half of the way, but they also slip
-/// aside for one another, which these do not.
+/// aside for one another, as these do only where their threads crowd.
 class SectionEasing {
  public:
   SectionEasing(const SectionScale& from, const SectionScale& to, const SectionScale& free)

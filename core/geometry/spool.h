@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/geometry/crowding.h"
+
 namespace loomlight {
 
 /// How the thickness of a yarn, and where it lies in the cloth, vary along it.
@@ -14,8 +16,8 @@ struct Evenness {
   double slubLength_mm = 0;  ///< at half their height, on average
   double slubMass = 1;       ///< of a length of slub, over that of the yarn between
   double aside_mm = 0;       ///< RMS distance of its axis from where an even sett would have it
-
-  /// Evenly spun, in an even sett: "even" of a yarn means both.
+  Crowding crowding;         ///< in an even sett: by the weave alone, whatever the place along the yarn
+  /// Evenly spun, in an even sett: "even" of a yarn means both. Such a yarn may crowd.
   bool isEven() const { return massCv == 0 && slubs_per_mm == 0 && aside_mm == 0; }
   bool operator==(const Evenness&) const = default;
 };

@@ -50,10 +50,14 @@ class CellStations {
     const Transition path(from, to, pitch_);
     const TwistEasing easing(path.length_mm(), yarn_.geometry.cellLength_mm);
     const SectionEasing section({from.up, from.across}, {to.up, to.across}, yarn_.geometry.free);
-    const Rates rates = ratesOf(section, path.length_mm(), easing.maxCellsPerMm(), swingOn(phase));
+    Rates rates = ratesOf(section, path.length_mm(), easing.maxCellsPerMm(), swingOn(phase));
+    const double leaning_mm = static_cast<double>(to.aside_mm) - from.aside_mm;
+    rates.slope += 1.5 * std::abs(leaning_mm) / path.length_mm();  // of smoothstep, as below
+    rates.bend += 6 * std::abs(leaning_mm) / (path.length_mm() * path.length_mm());
     const auto crownAt = [&](double share) {
       return std::abs(from.height_mm) + share * (std::abs(to.height_mm) - std::abs(from.height_mm));
     };
+    const auto asideAt = [&](double share) { return from.aside_mm + leaning_mm * glm::smoothstep(0.0, 1.0, share); };
     double wanted = 0;
     for (const Transition::Piece& piece : path.pieces()) wanted += piece.length_mm / spacing(piece, rates);
     const double coarser = std::max(1.0, wanted / maxStations_);
@@ -62,10 +66,10 @@ class CellStations {
       for (int i = 0; i < steps; ++i) {
         const double length = piece.begin_mm + piece.length_mm * i / steps;
         const double share = length / path.length_mm();
-        place(path.at(length), s_mm, phase + easing.cells(length), crownAt(share), section.at(share));
+        place(path.at(length), s_mm, phase + easing.cells(length), {crownAt(share), asideAt(share)}, section.at(share));
       }
     }
-    if (last) place(path.at(path.length_mm()), s_mm, phase + 1, crownAt(1), section.at(1));
+    if (last) place(path.at(path.length_mm()), s_mm, phase + 1, {crownAt(1), asideAt(1)}, section.at(1));
   }
 
   /// Only those that this cell's fibres need.
@@ -110,7 +114,7 @@ class CellStations {
     const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
     const double scale = section.largest() * yarn_.thickest();
     const auto [thickSlope, thickBend] = thicknessRates(cellsPerMm);
-    const auto [asideSlope, asideBend] = easingRates(2 * yarn_.farthestAside_mm(), cellsPerMm);
+    const auto [asideSlope, asideBend] = easingRates(2 * yarn_.farthestOffSett_mm(), cellsPerMm);
     const double swollen = section.largest() * yarn_.bodyReach_mm + g.halfHeight_mm();  // it moves outwards, too
     return {scale * slope + easing * yarn_.bodyReach_mm + thickSlope * swollen + asideSlope,
             asideBend + scale * bend + 2 * (easing + section.largest() * thickSlope) * slope +
@@ -145,19 +149,23 @@ class CellStations {
     return std::max(step, 1e-9);
   }
 
-  void place(const AxisPoint& at, double s_mm, double t, double crown_mm, const SectionScale& section) {
+  /// Where an even yarn's axis would lie in an even sett: uppermost, and from the middle of its cell.
+  struct Axis {
+    double crown_mm, aside_mm;
+  };
+  void place(const AxisPoint& at, double s_mm, double t, const Axis& axis, const SectionScale& section) {
     const YarnGeometry& g = yarn_.geometry;
     Station x;
     const double tilt = std::clamp(std::sin(at.angle), -maxTilt_, maxTilt_);
     x.s_mm = static_cast<float>(s_mm + at.s_mm);
     // Where it is thick the yarn lies further out: what it crosses stays where it is, and touches it still.
     const double thick = stretch_.radiusAt(t, g.period);
-    const double outwards = at.z_mm * std::min(1.0, g.halfHeight_mm() / std::max(crown_mm, 1e-9));
+    const double outwards = at.z_mm * std::min(1.0, g.halfHeight_mm() / std::max(axis.crown_mm, 1e-9));
     x.z_mm = static_cast<float>(at.z_mm + (thick - 1) * outwards);
-    x.aside_mm = static_cast<float>(stretch_.asideAt_mm(t, g.period));
+    x.aside_mm = static_cast<float>(axis.aside_mm + stretch_.asideAt_mm(t, g.period));
     x.up = static_cast<float>(section.up * thick);
     x.across = static_cast<float>(std::min(section.across * thick, yarn_.widest()));
-    x.crown_mm = static_cast<float>(crown_mm);
+    x.crown_mm = static_cast<float>(axis.crown_mm);
     x.lift_mm = static_cast<float>(std::max(0.0, 2 * (thick - 1) * g.halfHeight_mm()));
     x.normalS = static_cast<float>(-tilt);
     x.normalZ = static_cast<float>(std::sqrt(1 - tilt * tilt));

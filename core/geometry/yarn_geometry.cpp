@@ -104,8 +104,13 @@ void pressSections(YarnGeometry& g, const Yarn& yarn, double press, double felti
 
 Evenness evennessOf(const Yarn& yarn) {
   if (isMonofilament(yarn)) return {};
-  Evenness evenness{.massCv = yarn.evennessCv_percent / 100};
-  if (yarn.slubs_per_m > 0) evenness = {evenness.massCv, yarn.slubs_per_m * 1e-3, yarn.slubLength_mm, yarn.slubRatio};
+  Evenness evenness;
+  evenness.massCv = yarn.evennessCv_percent / 100;
+  if (yarn.slubs_per_m > 0) {
+    evenness.slubs_per_mm = yarn.slubs_per_m * 1e-3;
+    evenness.slubLength_mm = yarn.slubLength_mm;
+    evenness.slubMass = yarn.slubRatio;
+  }
   return evenness;
 }
 

@@ -217,6 +217,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
   model->source = source;
   YarnGeometry& g = model->geometry;
   g = source.resolved;
+  g.evenness = {};  // fibres lie where they would in an even yarn of an even sett
   const double radius = source.fibreRadius_um * kMmPerUm;
   const double fibreArea = kPi * radius * radius;
   const double takeUp = estimateTakeUp(g, twistOf(g));
@@ -250,7 +251,8 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
   lay(source.sketched);
   g.count_tex = 1e6 * g.fibreMass_g_mm() * meanTakeUp(*model);
   model->separation = separationOf(*model);
-  spin(*model);  // last: fibres lie where they would in an even yarn
+  g.evenness = source.resolved.evenness;
+  spin(*model);
   return model;
 }
 

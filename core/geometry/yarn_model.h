@@ -55,8 +55,9 @@ struct YarnModel {
   /// Factor on its radius, where it is thickest.
   double thickest() const { return spool ? spool->largestRadius() : 1.0; }
   double thinnest() const { return spool ? spool->smallestRadius() : 1.0; }
-  /// Of its axis, from the middle of the cell.
-  double farthestAside_mm() const { return spool ? spool->farthestAside_mm() : 0.0; }
+  /// Of its axis from the middle of the cell, where the sett is uneven and threads crowd.
+  double farthestAside_mm() const { return farthestOffSett_mm() + geometry.evenness.crowding.most_mm; }
+  double farthestOffSett_mm() const { return spool ? spool->farthestAside_mm() : 0.0; }
   /// Where the yarn lies straight, its section is the usual one.
   PathNode straightNode() const {
     return {0.0f, static_cast<float>(geometry.usual().up), static_cast<float>(geometry.usual().across)};

@@ -13,6 +13,7 @@ struct PathNode {
   float height_mm = 0;  ///< of the yarn's axis above the mid-plane of the cloth
   float up = 1;         ///< factors of its section there (SectionScale)
   float across = 1;
+  float aside_mm = 0;  ///< of the axis from the middle of its cell, along u of the cell's frame (cell_strands.h)
   bool operator==(const PathNode&) const = default;
 };
 

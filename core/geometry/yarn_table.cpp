@@ -63,6 +63,8 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
           of.outlines.emplace_back(outlineYarn(withFinish(*yarn, fabric), meanFibre(*yarn, fabric.fibres), pitch,
                                                crossPitch, fabric.press, feltingOf(*yarn, fabric)));
       outline.hairLie = hairLieOf(fabric, system);
+      outline.evenness.crowding =
+          crowdingOf(outline.coreRadius_mm(), outline.halfWidth_mm(), crossPitch, fabric.crowding);
       // Neighbours move independently of each other, so their distance varies by the root of two more than each does.
       outline.evenness.aside_mm = fabric.settCv_percent / 100 * crossPitch / std::sqrt(2.0);
       outline.seed = mixBits(static_cast<uint64_t>(system));
@@ -144,9 +146,12 @@ PathNode YarnTable::node(System system, int own, const CellShape::Node& at) cons
       crossings_[static_cast<size_t>(warp ? own : at.crossed) * classCount_ + (warp ? at.crossed : own)];
   const auto state = static_cast<size_t>(at.floatState);
   const double height = (warp ? c.warpHeight_mm : c.weftHeight_mm)[state];
-  const SectionScale& section = of(system).outlines[static_cast<size_t>(own)].pressed[state];
+  const YarnGeometry& yarn = of(system).outlines[static_cast<size_t>(own)];
+  const SectionScale& section = yarn.pressed[state];
+  // Ends are counted along u of the warp's cells, picks against that of the weft's.
+  const float aside = yarn.evenness.crowding.aside_mm(at.floatState, warp ? at.leaning : -at.leaning);
   return {static_cast<float>(at.over ? height : -height), static_cast<float>(section.up),
-          static_cast<float>(section.across)};
+          static_cast<float>(section.across), aside};
 }
 
 YarnCellKey YarnTable::shapeKey(System system, const CellShape& shape) const {
@@ -201,7 +206,8 @@ std::optional<ClassNames> YarnTable::namesOfClasses(const YarnTable& other) cons
   for (const System system : {System::warp, System::weft}) {
     const auto own = static_cast<size_t>(system), crossed = 1 - own;
     for (size_t i = 0; i < here[own].size(); ++i)
-      if (nodeGroups(system, here[own][i], here[crossed]) != other.nodeGroups(system, there[own][i], there[crossed]))
+      if (nodeGroups(system, here[own][i], here[crossed]) != other.nodeGroups(system, there[own][i], there[crossed]) ||
+          leaningGroups(system, here[own][i]) != other.leaningGroups(system, there[own][i]))
         return std::nullopt;
   }
   return names;
@@ -218,6 +224,18 @@ std::vector<int> YarnTable::nodeGroups(System system, int own, const std::vector
         const auto number = static_cast<int>(groups.size());
         groups.push_back(first.try_emplace({n.height_mm, n.up, n.across}, number).first->second);
       }
+  return groups;
+}
+
+/// Of all float states and leanings that a node may have: the number of the first that stands as far aside.
+std::vector<int> YarnTable::leaningGroups(System system, int own) const {
+  const Crowding& crowding = of(system).outlines[static_cast<size_t>(own)].evenness.crowding;
+  std::map<float, int> first;
+  std::vector<int> groups;
+  for (int state = 0; state < kFloatStates; ++state)
+    for (int leaning = -kMostLeaning; leaning <= kMostLeaning; ++leaning)
+      groups.push_back(
+          first.try_emplace(crowding.aside_mm(state, leaning), static_cast<int>(groups.size())).first->second);
   return groups;
 }
 

@@ -80,6 +80,7 @@ class YarnTable {
   PathNode node(System system, int own, const CellShape::Node& at) const;
   bool sameNodes(const YarnTable& other) const;
   std::vector<int> nodeGroups(System system, int own, const std::vector<int>& crossed) const;
+  std::vector<int> leaningGroups(System system, int own) const;
   void resolve(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task);
   void findThickness();
 

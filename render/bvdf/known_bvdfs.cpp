@@ -56,8 +56,9 @@ double unlikeness(const Fabric& fabricA, size_t a, const Fabric& fabricB, size_t
          ratio(fabricA.render.resolution, fabricB.render.resolution) +
          0.5 * ratio(fabricA.ends_per_cm, fabricB.ends_per_cm) +
          0.5 * ratio(fabricA.picks_per_cm, fabricB.picks_per_cm) + std::abs(fabricA.press - fabricB.press) +
-         0.5 * ratio(fabricA.crimpBalance, fabricB.crimpBalance) + (fabricA.singed == fabricB.singed ? 0 : 0.2) +
-         (fabricA.brushed == fabricB.brushed ? 0 : 1) + std::abs(feltingOf(x, fabricA) - feltingOf(y, fabricB));
+         0.1 * std::abs(fabricA.crowding - fabricB.crowding) + 0.5 * ratio(fabricA.crimpBalance, fabricB.crimpBalance) +
+         (fabricA.singed == fabricB.singed ? 0 : 0.2) + (fabricA.brushed == fabricB.brushed ? 0 : 1) +
+         std::abs(feltingOf(x, fabricA) - feltingOf(y, fabricB));
 }
 
 }  // namespace

@@ -242,8 +242,28 @@ class Solver {
     measures.thickness_mm = tops[tops.size() - 1 - hundredth] - bottoms[hundredth];
     measures.overlap = overlap_;
     const double middle = 0.5 * (tops[tops.size() - 1 - hundredth] + bottoms[hundredth]);
-    for (size_t system = 0; system < 2; ++system) measures.crossings[system] = measureCrossings(system, middle);
+    for (size_t system = 0; system < 2; ++system) {
+      measures.crossings[system] = measureCrossings(system, middle);
+      measures.drawnAside_mm[system] = drawnAside_mm(system);
+    }
     return measures;
+  }
+  /// The two yarns that a thread parts there are drawn opposite ways, so that a drift of all of them does not count.
+  double drawnAside_mm(size_t system) const {
+    const YarnSystem& of = systems_[system];
+    const double pitch = beads_.period[static_cast<size_t>(1 - of.axis)] / of.threads;
+    double sum = 0;
+    int count = 0;
+    for (int thread = 0; thread < of.threads; ++thread)
+      for (int crossing = 0; crossing < of.crossings; ++crossing) {
+        const bool up = isUp(system, thread, crossing);
+        const int drawn = (isUp(system, (thread + of.threads - 1) % of.threads, crossing) != up) -
+                          (isUp(system, (thread + 1) % of.threads, crossing) != up);
+        const double at = axisAt(of, thread, crossing * of.beads / of.crossings)[1 - of.axis];
+        sum += drawn * (at - (thread + 0.5) * pitch);
+        count += drawn != 0;
+      }
+    return count > 0 ? sum / count : 0.0;
   }
   std::array<RelaxedCrossings, 3> measureCrossings(size_t system, double middle_mm) const {
     const YarnSystem& of = systems_[system];

@@ -47,6 +47,9 @@ struct RelaxedMeasures {
   double overlap = 0;       ///< deepest of two strands, over the sum of their radii
   double drift = 0;         ///< what the crimps have changed by in the last fifth of the steps
   std::array<std::array<RelaxedCrossings, 3>, 2> crossings{};  ///< of warp and weft, by float state
+  /// Of warp and weft, how much further a yarn stands from the neighbour that the thread it crosses parts it from than
+  /// in an even sett, where that thread does not part it from the other one too. Mean over such crossings; 0 without.
+  std::array<double, 2> drawnAside_mm{};
 };
 
 /// The shape that yarns of hard, bendable strands take, found by steps with nothing assumed of their sections or

@@ -10,10 +10,11 @@
 #include "tests/bench/relaxation_cloths.h"
 
 // Crimp and thickness of cloth: ours in closed form, beside yarns of hard strands that were relaxed; then how these lie
-// at their crossings, which the law's rows are read off. bench_relaxation [POWER [TENSION [PRESS [NAME]]]]: the power
-// of a yarn's count that its stiffness goes by (2), the tension that is kept in the cloth (0.5 cN/tex), Fabric::press
-// (0), and only the constructions of such a name. Pressed cloth lies between plates, which close by as much as pressing
-// makes ours thinner, so that its thickness proves nothing. The whole takes minutes of the processor.
+// at their crossings, which the law's rows are read off, and how far threads that float together are drawn aside.
+// bench_relaxation [POWER [TENSION [PRESS [NAME]]]]: the power of a yarn's count that its stiffness goes by (2), the
+// tension that is kept in the cloth (0.5 cN/tex), Fabric::press (0), and only the constructions of such a name. Pressed
+// cloth lies between plates, which close by as much as pressing makes ours thinner, so that its thickness proves
+// nothing. The whole takes minutes of the processor.
 namespace loomlight {
 namespace {
 
@@ -27,11 +28,26 @@ Gap gapOf(const ClothMeasures& ours, const RelaxedMeasures& relaxed) {
           100 * std::abs(ours.thickness_mm / relaxed.thickness_mm - 1)};
 }
 
+double freeRadius_mm(const RelaxedYarn& yarn) {
+  return std::sqrt(yarn.count_tex * 1e-3 / (yarn.density_g_cm3 * yarn.packing * kPi));
+}
+
+std::string asideText(const Construction& of, const RelaxedMeasures& relaxed) {
+  const auto ours = asideInClosedForm(of.cloth);
+  std::string text;
+  for (size_t system = 0; system < 2; ++system) {
+    const double radius_mm = freeRadius_mm(system == 0 ? of.cloth.warp : of.cloth.weft);
+    text += fmt::format("| {} | {} | {:.3f} | {:.3f} |\n", of.name, system == 0 ? "warp" : "weft",
+                        ours[system] / radius_mm, relaxed.drawnAside_mm[system] / radius_mm);
+  }
+  return text;
+}
+
 std::string crossingsText(const Construction& of, const RelaxedMeasures& relaxed) {
   std::string text;
   for (size_t system = 0; system < 2; ++system) {
     const RelaxedYarn& yarn = system == 0 ? of.cloth.warp : of.cloth.weft;
-    const double radius_mm = std::sqrt(yarn.count_tex * 1e-3 / (yarn.density_g_cm3 * yarn.packing * kPi));
+    const double radius_mm = freeRadius_mm(yarn);
     for (size_t state = 0; state < 3; ++state) {
       const RelaxedCrossings& mean = relaxed.crossings[system][state];
       if (mean.count == 0) continue;
@@ -51,7 +67,7 @@ void printTables(Relaxation how, double press, const std::string& name) {
   fmt::print("| construction | fitted | ours | relaxed | off by | overlap, drift, plates |\n");
   fmt::print("| --- | --- | --- | --- | --- | --- |\n");
   int within = 0, all = 0;
-  std::string crossings;
+  std::string crossings, aside;
   for (const Construction& of : constructions()) {
     if (std::string(of.name).find(name) == std::string::npos) continue;
     const ClothMeasures ours = inClosedForm(of.cloth, press);
@@ -67,12 +83,16 @@ void printTables(Relaxation how, double press, const std::string& name) {
     within += gap.isWithin();
     ++all;
     crossings += crossingsText(of, relaxed);
+    aside += asideText(of, relaxed);
   }
   fmt::print("\nWithin 2 points of crimp and 15 % of thickness: {} of {}.\n", within, all);
   fmt::print("\nAt crossings, over the free radius; state: neighbours along the yarn on the same side.\n\n");
   fmt::print(
       "| construction | yarn | state | height | half up | half across |\n| --- | --- | --- | --- | --- | --- |\n");
   fmt::print("{}", crossings);
+  fmt::print(
+      "\nDrawn aside by a thread that parts a yarn from one neighbour, over the free radius; ours is washed.\n\n");
+  fmt::print("| construction | yarn | ours | relaxed |\n| --- | --- | --- | --- |\n{}", aside);
 }
 
 }  // namespace

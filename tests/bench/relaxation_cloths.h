@@ -12,7 +12,7 @@ struct Construction {
   const char* name;
   bool wasFitted;  ///< one of the eight that the law's constants were read off
   RelaxedCloth cloth;
-  RelaxedMeasures relaxed;  ///< as bench_relaxation found it: crimps and thickness
+  RelaxedMeasures relaxed;  ///< as bench_relaxation found it: crimps, thickness, how far it is drawn aside
   /// Between plates, which closed by as much as Fabric::press of 0.5 makes ours thinner.
   RelaxedMeasures pressed;
   double plates = 1;             ///< that much, as a share of the thickness
@@ -25,5 +25,7 @@ std::vector<Construction> constructions();
 /// The same cloth, as the program makes it in closed form: even singles that flatten as most do. `press`:
 /// Fabric::press, 0 washed.
 ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press);
+/// RelaxedMeasures::drawnAside_mm of the same cloth, washed, whose Fabric::crowding is 1.
+std::array<double, 2> asideInClosedForm(const RelaxedCloth& cloth);
 
 }  // namespace loomlight

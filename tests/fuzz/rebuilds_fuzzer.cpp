@@ -26,7 +26,7 @@ Fabric reshaped(Fabric fabric, Choices& choices) {
     for (int& index : yarns) index = choices.from(0, 1);
     return yarns;
   };
-  switch (choices.below(14)) {
+  switch (choices.below(15)) {
     case 0:
       fabric.weave = fabric.weave.resized(choices.from(1, 12), choices.from(1, 12));
       break;
@@ -62,6 +62,9 @@ Fabric reshaped(Fabric fabric, Choices& choices) {
       break;
     case 11:
       fabric.settCv_percent = 5.0 * choices.from(0, 4);
+      break;
+    case 12:
+      fabric.crowding = choices.from(0, 3);
       break;
     default: {
       const int pick = choices.from(0, fabric.weave.picks() - 1), end = choices.from(0, fabric.weave.ends() - 1);

@@ -36,6 +36,7 @@ bool settRows(Ui& ui, bool inches, Fabric& fabric) {
   bool changed = settField(&Fabric::ends_per_cm);
   changed |= settField(&Fabric::picks_per_cm);
   changed |= memberField(ui, "cloth", fabric, &Fabric::settCv_percent, 1);
+  changed |= memberField(ui, "cloth", fabric, &Fabric::crowding, 1);
   if (inches)
     readout(ui, {"cloth.per_cm", words::clothPage::perCm},
             fmt::format("{:.1f} \xC3\x97 {:.1f}", fabric.ends_per_cm, fabric.picks_per_cm));

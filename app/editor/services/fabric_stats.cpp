@@ -61,7 +61,8 @@ YarnSection sectionIn(const ClothGeometry& cloth, const YarnCellKey& key, double
       const glm::vec3 a = strands.points[i], b = strands.points[i + 1];  // (u, s, z)
       if ((a.y < 0) == (b.y < 0)) continue;
       const glm::vec3 at = glm::mix(a, b, a.y / (a.y - b.y));
-      section.points.push_back({{at.x, at.z - key.here.height_mm}, strand.ply, strand.loose, second});
+      section.points.push_back(
+          {{at.x - key.here.aside_mm, at.z - key.here.height_mm}, strand.ply, strand.loose, second});
     }
   }
   return section;

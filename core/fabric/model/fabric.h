@@ -170,6 +170,7 @@ struct Fabric {
   double ends_per_cm = 20.0;         ///< 0.2..500
   double picks_per_cm = 20.0;
   double settCv_percent = 0;           ///< coefficient of variation of the distances of neighbouring threads, 0..20
+  double crowding = 0;                 ///< of threads that float together: 0 even, 1 as relaxed yarns stand, 0..3
   double press = 0.5;                  ///< finish: 0 washed and relaxed, 0.5 pressed, 1 calendered
   bool singed = false;                 ///< finish: loose fibres are burnt off
   bool brushed = false;                ///< finish: loose fibres are raised on the face, along the warp

@@ -248,6 +248,7 @@ struct FieldTable<Fabric> {
       Field{&Fabric::picks_per_cm,
             {grid, "picks_per_cm", words::picks.label, "/cm", 0.2, 500, words::picks.help, true}},
       Field{&Fabric::settCv_percent, {grid, "sett_cv_percent", words::settCv.label, "%", 0, 20, words::settCv.help}},
+      Field{&Fabric::crowding, {grid, "crowding", words::crowding.label, "×", 0, 3, words::crowding.help}},
       Field{&Fabric::press, {grid, "press", words::press.label, "", 0, 1, words::press.help}},
       Field{&Fabric::singed, {grid, "singed", words::singed.label, "", 0, 0, words::singed.help}},
       Field{&Fabric::brushed, {grid, "brushed", words::brushed.label, "", 0, 0, words::brushed.help}},

@@ -181,6 +181,12 @@ inline constexpr Word settCv{
     "Unevenness of sett",
     "How much neighbouring threads differ in their distance, as a coefficient of variation: they wander by some "
     "hundredths of a millimetre, over centimetres. Of finished cloth a few percent; 0 is as even as point paper."};
+inline constexpr Word crowding{
+    "Crowding",
+    "How far threads that float side by side draw together, away from the neighbour that a crossing thread parts them "
+    "from. It closes up the pairs of an oxford or a hopsack, makes twill lines plainer, and does nothing to plain "
+    "weave. 0 evenly apart; 1 as far as relaxed yarns go, where there is room. A large pattern takes much longer to "
+    "prepare with it."};
 inline constexpr Word press{"Pressing",
                             "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and "
                             "flat, no hair standing."};

@@ -36,8 +36,8 @@ Fabric withoutYarn(Fabric fabric, int index);
 /// where there is no room for one more, those change with it.
 Fabric withFibre(Fabric fabric, int yarn, Fibre fibre);
 
-/// The yarn as thick everywhere as it is on average; the fabric with all of its yarns so, evenly apart. For what stands
-/// for the whole cloth, and is too small to have some of each thick and thin place.
+/// The yarn as thick everywhere as it is on average; the fabric with all of its yarns so, in an even sett. For what
+/// stands for the whole cloth, and is too small to have some of each thick and thin place.
 Yarn evenlySpun(Yarn yarn);
 Fabric evenlySpun(Fabric fabric);
 

@@ -50,8 +50,9 @@ class TileMap {
     std::vector<WeaveCrossing> places;  ///< changes of the weave, as of weaveChanges()
   };
   /// Makes it the map of another geometry, as a new map would be, but for the bricks: those of shapes that are still
-  /// there stay. Costs a copy of the shapes of each yarn that a place lies on. Where the repeat has another size, what
-  /// its parts have in common is copied and the rest is read; where a yarn has another period, or the piece or its
+  /// there stay. Costs a copy of the shapes of each yarn that a place lies on, and where threads crowd of those beside.
+  /// Where the repeat has another size, what its parts have in common is copied (of crowded cloth with more or fewer
+  /// yarns nothing) and the rest is read; where a yarn has another period, or the piece or its
   /// repeat another size, all cells are counted again. Half-done, and of no use, when the task is stopped.
   void edit(const ClothGeometry& geometry, const Change& change, const Task& task);
   /// Whether most of its shapes are of former edits: time to read it anew.

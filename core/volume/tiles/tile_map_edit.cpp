@@ -6,11 +6,11 @@
 #include "core/volume/tiles/tile_map.h"
 
 // How the TileMap of an edited cloth is made from the one before.
-// How it works. A crossing shapes the cells of its two yarns within kCrossingReach of it. So the edited map copies the
-// rows of the yarns on which crossings were turned, reads their cells again where they are in reach, and shares all
-// other rows with the map before. The counts of cells of each kind are corrected cell by cell. Where the repeat changes
-// its size, what old and new repeat have in common is copied (keptOf) and the rest is read; where yarns change their
-// period, or the piece its size, all cells are counted again.
+// How it works. A crossing shapes the cells of its two yarns within kCrossingReach of it, and where threads crowd those
+// of the yarns beside. So the edited map copies the rows of these yarns, reads their cells again where they are in
+// reach, and shares all other rows with the map before. The counts of cells of each kind are corrected cell by cell.
+// Where the repeat changes its size, what old and new repeat have in common is copied (keptOf) and the rest is read;
+// where yarns change their period, or the piece its size, all cells are counted again.
 
 namespace loomlight {
 namespace {
@@ -59,12 +59,16 @@ void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Ta
   if (task.stopped()) return;
 
   const bool warp = system_ == System::warp;
-  std::map<int, std::vector<int>> changed;  // yarn of the weave: where along it, in order
+  const int yarns = WeaveSides(geometry.weave(), system_).across, beside = geometry.codes().crowded() ? 1 : 0;
+  std::map<int, std::vector<int>> changed;  // yarn of the weave: where along it
   for (const WeaveCrossing& place : change.places)
-    changed[warp ? place.end : place.pick].push_back(warp ? place.pick : place.end);
-  for (const auto& yarn : changed)
-    for (int across = yarn.first; across < repeatAcross_; across += WeaveSides(geometry.weave(), system_).across)
-      editRow(geometry, across, yarn.second, sameCells, table);
+    for (int by = -beside; by <= beside; ++by)
+      changed[wrap((warp ? place.end : place.pick) + by, yarns)].push_back(warp ? place.pick : place.end);
+  for (auto& [yarn, places] : changed) {
+    std::sort(places.begin(), places.end());
+    for (int across = yarn; across < repeatAcross_; across += yarns)
+      editRow(geometry, across, places, sameCells, table);
+  }
   if (!sameCells) countCells(task);
   bricks_.keepOnly(cellsOf_, static_cast<size_t>(stretchKinds_));
 }
@@ -94,7 +98,10 @@ TileMap::Kept TileMap::keptOf(const ClothGeometry& geometry, const ClothGeometry
   const WeaveSides now(geometry.weave(), system_), then(before.weave(), system_);
   Kept kept;
   kept.yarns = std::min(repeatAcross_, formerAcross);
-  if (now.across != then.across) kept.yarns = std::min({kept.yarns, now.across, then.across});
+  if (now.across != then.across) {
+    if (geometry.codes().crowded()) return {};  // the outermost have other neighbours
+    kept.yarns = std::min({kept.yarns, now.across, then.across});
+  }
   kept.to = std::min(repeatAlong_, formerAlong);
   if (now.along != then.along) {
     kept.from = kReach;

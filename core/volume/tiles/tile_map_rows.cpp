@@ -25,13 +25,13 @@ void checkShapes(const ShapeTable& table) {
   constexpr uint32_t kMaxShapes = uint32_t{1} << 20;
   if (table.end() > kMaxShapes)
     throw InputError(
-        fmt::format("the cloth has more than {} shapes of yarn cells: expected fewer different yarns or a smaller "
-                    "repeat",
+        fmt::format("the cloth has more than {} shapes of yarn cells: expected fewer different yarns, a smaller "
+                    "repeat or no crowding",
                     kMaxShapes));
 }
 
 /// Numbers the shapes of cells from `along` on. The codes of a few at a time stay in the cache.
-void readCells(const ClothGeometry& geometry, System system, int across, std::span<const uint8_t> crossings, int along,
+void readCells(const ClothGeometry& geometry, System system, int across, const YarnCrossings& crossings, int along,
                std::span<uint32_t> shapes, ShapeTable& table) {
   std::array<ShapeCode, 512> codes;
   for (size_t done = 0; done < shapes.size();) {
@@ -87,14 +87,16 @@ void TileMap::readRows(const ClothGeometry& geometry, const Task& task, const Ke
 
 void TileMap::readBand(const ClothGeometry& geometry, const Task& task, const Kept& kept, Band& band) const {
   const Weave& weave = geometry.weave();
-  std::vector<uint8_t> columns;
-  if (system_ == System::warp) columns = weave.columns(band.first, band.end - band.first);
+  std::vector<uint8_t> columns;  // with those of the yarns beside the band
+  if (system_ == System::warp) columns = weave.columns(band.first - 1, band.end - band.first + 2);
+  const auto crossingsOf = [&](int yarn) -> std::span<const uint8_t> {
+    if (system_ == System::weft) return weave.row(wrap(yarn, weave.picks()));
+    const auto picks = static_cast<size_t>(weave.picks());
+    return std::span<const uint8_t>(columns).subspan(static_cast<size_t>(yarn - band.first + 1) * picks, picks);
+  };
   std::vector<uint32_t> shapes(static_cast<size_t>(repeatAlong_));
   for (int across = band.first; across < band.end && !task.stopped(); ++across) {
-    const auto crossings = system_ == System::warp
-                               ? std::span<const uint8_t>(columns).subspan(
-                                     static_cast<size_t>(across - band.first) * weave.picks(), weave.picks())
-                               : weave.row(across % weave.picks());
+    const YarnCrossings crossings{crossingsOf(across), crossingsOf(across - 1), crossingsOf(across + 1)};
     const auto read = [&](int from, int to) {
       const auto run = std::span(shapes).subspan(from, to - from);
       readCells(geometry, system_, across, crossings, from, run, band.table);

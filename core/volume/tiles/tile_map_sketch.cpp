@@ -9,14 +9,16 @@
 // How it works. The missing bricks are ordered by what a picture needs first: of each shape in view one brick, in any
 // phase; then the other phases in view; then all the rest. As soon as the first are there the map can be shown:
 // whatever is still missing takes the brick of its own shape in another phase, or of the shape of its yarn whose
-// heights are most alike.
+// path is most alike.
 namespace loomlight {
 namespace {
 
 /// How unlike two paths through a cell are, mm.
 float unlikeness(const YarnCellKey& a, const YarnCellKey& b) {
-  return std::abs(a.previous.height_mm - b.previous.height_mm) + 2 * std::abs(a.here.height_mm - b.here.height_mm) +
-         std::abs(a.next.height_mm - b.next.height_mm);
+  const auto apart = [](const PathNode& p, const PathNode& q) {
+    return std::abs(p.height_mm - q.height_mm) + std::abs(p.aside_mm - q.aside_mm);
+  };
+  return apart(a.previous, b.previous) + 2 * apart(a.here, b.here) + apart(a.next, b.next);
 }
 
 }  // namespace

@@ -102,8 +102,10 @@ bool ClothVolume::editTiles(const ClothVolume& previous, const Task& task) {
   if (!names || previous.tiles_[0].isWorn() || previous.tiles_[1].isWorn()) return false;
   const Weave& weave = geometry_->weave();
   const size_t crossings = static_cast<size_t>(weave.ends()) * static_cast<size_t>(weave.picks());
-  // To read a crossing anew in an edit costs some fifty times what it costs in a whole repeat.
-  auto changed = weaveChanges(before.weave(), weave, std::max<size_t>(64, crossings / 64));
+  // To read a crossing anew in an edit costs some fifty times what it costs in a whole repeat, and where threads crowd
+  // the yarns beside are read too.
+  const size_t few = crossings / (geometry_->codes().crowded() ? 3 * 64 : 64);
+  auto changed = weaveChanges(before.weave(), weave, std::max<size_t>(64, few));
   if (!changed) return false;
   const TileMap::Change change{before, geometry_->differsInWeaveOnly(before), std::move(*names), std::move(*changed)};
   const bool weaveOnly = grid_ == previous.grid_ && change.inWeaveAlone;
@@ -171,7 +173,7 @@ bool ClothVolume::makeBricks(std::span<const MissingBrick> bricks, size_t done, 
       if ((bytes += (*pool_)[made[i]].bytes()) > kMaxBytes)
         throw InputError(
             fmt::format("the volume of this cloth takes more than {} GiB ({} of its yarn cells are different): "
-                        "expected a lower resolution, fewer different yarns or a smaller repeat",
+                        "expected a lower resolution, fewer different yarns, a smaller repeat or no crowding",
                         kMaxBytes >> 30, all));
       task.report(static_cast<double>(++finished) / static_cast<double>(all));
     }

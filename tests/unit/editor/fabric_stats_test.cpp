@@ -36,6 +36,9 @@ TEST(FabricStatsWorker, TooLittleMemoryIsSaidAndTheNextClothIsKnownAgain) {
 
 TEST(YarnSection, ShowsEveryFibreOnceInsideTheYarn) {
   Fabric fabric = sampleFabric();
+  fabric.weave = Weave({{1, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 1}, {0, 0, 1, 1}});
+  fabric.ends_per_cm = 10;
+  fabric.crowding = 3;  // its axis is not in the middle of its cell
   for (FibreLayout layout : {FibreLayout::random, FibreLayout::packed}) {
     Yarn& yarn = fabric.yarns[0];
     yarn.layout = layout;

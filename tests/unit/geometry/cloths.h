@@ -107,8 +107,17 @@ inline Fabric slubby() {
   return f;
 }
 
+/// Pairs of threads that float together, and draw together.
+inline Fabric hopsack() {
+  Fabric f = hairy();
+  f.name = "hopsack";
+  f.weave = Weave({{1, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 1}, {0, 0, 1, 1}});
+  f.crowding = 1;
+  return f;
+}
+
 inline std::vector<Fabric> all() {
-  return {plain(), twill(), twill(FibreLayout::random), pliedSatin(), cabled(), hairy(), mixed(), slubby()};
+  return {plain(), twill(), twill(FibreLayout::random), pliedSatin(), cabled(), hairy(), mixed(), slubby(), hopsack()};
 }
 
 }  // namespace loomlight::cloths

@@ -105,6 +105,7 @@ TEST_P(AnyValidFabricOf, HasSoundGeometry) {
       y.slubRatio = pick.number(1.1, 4);
     }
     if (pick.toss()) fabric.settCv_percent = pick.number(0, 20);
+    if (pick.toss()) fabric.crowding = pick.number(0, 3);
     const ClothGeometry cloth(fabric, 6, 6);
     ASSERT_TRUE(std::isfinite(cloth.halfThickness_mm()));
     for (const System system : {System::warp, System::weft}) {

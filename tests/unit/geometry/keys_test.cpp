@@ -64,7 +64,9 @@ TEST(CellKeys, AreThoseOfTheShapeCodes) {
         cloth.codes().read(system, across, -7, codes);
         if (system == System::warp) {
           std::vector<ShapeCode> ofColumn(50);
-          cloth.codes().read(system, across, -7, fabric.weave.columns(across, 1), ofColumn);
+          const auto column = [&](int end) { return fabric.weave.columns(end, 1); };
+          const auto own = column(across), before = column(across - 1), after = column(across + 1);
+          cloth.codes().read(system, across, -7, {own, before, after}, ofColumn);
           EXPECT_EQ(ofColumn, codes);
         }
         for (int i = 0; i < 50; ++i) {
@@ -145,6 +147,20 @@ TEST(ClothGeometry, NamesNoClassesWhereTheyArePartedOrBecomeOne) {
   EXPECT_FALSE(same.yarns().namesOfClasses(striped.yarns()));
   fabric.warpSequence = {0, 0, 1};
   EXPECT_FALSE(ClothGeometry(fabric, 10, 10).yarns().namesOfClasses(striped.yarns()));
+}
+
+// Threads that touch stand equally far aside, however much they are drawn.
+TEST(ClothGeometry, NamesNoClassesWhereThreadsComeToTouch) {
+  Fabric fabric = cloths::hopsack();
+  fabric.ends_per_cm = 36;
+  fabric.crowding = 0.2;
+  const ClothGeometry apart(fabric, 10, 10);
+  fabric.crowding = 0.3;
+  EXPECT_TRUE(ClothGeometry(fabric, 10, 10).yarns().namesOfClasses(apart.yarns()));
+  fabric.crowding = 3;
+  const ClothGeometry touching(fabric, 10, 10);
+  EXPECT_FALSE(touching.yarns().namesOfClasses(apart.yarns()));
+  EXPECT_FALSE(apart.yarns().namesOfClasses(touching.yarns()));
 }
 
 TEST(WeaveChanges, AreThePlacesThatDiffer) {

@@ -75,6 +75,33 @@ TEST(ClosedForm, IsWithinTwoPointsOfCrimpOfYarnsBetweenPlates) {
   EXPECT_GE(held, 8);
 }
 
+// How far threads are drawn aside goes from nothing, in plain weave, to a sixth of their radius, in a basket.
+TEST(ClosedForm, DrawsThreadsAsideAsRelaxedYarnsAre) {
+  double off = 0, all = 0;
+  for (const Construction& of : constructions()) {
+    SCOPED_TRACE(of.name);
+    const std::array<double, 2> ours = asideInClosedForm(of.cloth);
+    for (size_t system = 0; system < 2; ++system) {
+      const RelaxedYarn& yarn = system == 0 ? of.cloth.warp : of.cloth.weft;
+      const double radius_mm = std::sqrt(yarn.count_tex * 1e-3 / (yarn.density_g_cm3 * yarn.packing * kPi));
+      const double relaxed = of.relaxed.drawnAside_mm[system] / radius_mm;
+      // The ends of denim touch, and their strands still find room: 0.06 more. All others are within 0.04.
+      EXPECT_NEAR(ours[system] / radius_mm, relaxed, 0.065);
+      if (relaxed == 0) {
+        EXPECT_EQ(ours[system], 0);
+      }
+      off += std::abs(ours[system] / radius_mm - relaxed);
+      all += relaxed;
+    }
+  }
+  EXPECT_LT(off, 0.3 * all);
+}
+
+TEST(Relaxation, DrawsThePairsOfABasketTogether) {
+  const RelaxedMeasures basket = relax(construction("basket, 2/2"), quickly());
+  for (const double aside_mm : basket.drawnAside_mm) EXPECT_GT(aside_mm, 0.001) << "on the way to 0.018";
+}
+
 TEST(Relaxation, IsAsThinAsItsPlatesAreApart) {
   Relaxation how = quickly();
   const RelaxedMeasures free = relax(construction("plain, balanced"), how);

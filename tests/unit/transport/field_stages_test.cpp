@@ -287,7 +287,8 @@ TEST_P(FieldStages, OfTheRenderSettings) {
 
 TEST_P(FieldStages, OfTheFabric) {
   const auto cotton = [](Fabric& f) { f.fibres[0].section = FibreSection::kidney; };  // which mercerising acts on
-  expectAllOf<Fabric>({blend(), blendWith(cotton)}, [](Fabric& fabric) -> Fabric& { return fabric; });
+  const auto rib = [](Fabric& f) { f.weave = Weave({{1, 1, 0, 0}, {0, 0, 1, 1}}); };  // whose threads may crowd
+  expectAllOf<Fabric>({blend(), blendWith(cotton), blendWith(rib)}, [](Fabric& fabric) -> Fabric& { return fabric; });
 }
 
 TEST_P(FieldStages, OfWhatIsNoConstruction) {
