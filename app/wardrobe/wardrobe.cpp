@@ -19,6 +19,10 @@ constexpr const char* kNap = "the nap that raising makes, which a gauge rests on
 constexpr Allowance kRaisedBlanket{0.55, kNap},
     kDeepens{0.70, "the cells of a honeycomb deepen as it shrinks, which is not modelled"},
     kSpreads{0.35, "filaments with hardly a twist spread at crossings more than the law of pressing lets them"},
+    kLiesFlat{
+        0.30,
+        "relaxed yarns of this construction are 0.28 to 0.30 mm thick before they are pressed: the figure, recalled, "
+        "may be that of a heavier one"},
     kCrinkles{0.35, "crepe yarns crinkle as the cloth shrinks, which is not modelled"};
 
 const WardrobeCloth kCloths[] = {
@@ -33,7 +37,8 @@ const WardrobeCloth kCloths[] = {
      kWardrobeOxford,
      {"Ne 40 x 20 / 110 x 58, two ends as one", 140, 0.36,
       "construction: recalled; mass: recalled, 135 to 145 (a shirtmaker: 130 to 180); thickness: recalled, 0.33 to "
-      "0.40"}},
+      "0.40",
+      kLiesFlat}},
     {"chambray",
      "Chambray",
      kWardrobeChambray,

@@ -10,9 +10,10 @@
 // How it works. A cell's shape depends on five crossings, its own in their middle: three nodes, and the neighbours of
 // each. Reading a row of cells therefore slides a window of five bits, one for each crossing (is this yarn over?),
 // along the yarn; a table of all 32 windows, made when the program is compiled, gives sides and float states of the
-// three nodes at once. A second window holds the classes of the three yarns that are crossed, and where threads crowd a
-// third how far the yarn leans to either side there, by the crossings of the yarns beside it. All packed together are
-// the code, so a crossing of a jacquard costs few shifts and a look-up.
+// three nodes at once. A second window holds the classes of the three yarns that are crossed. Where threads crowd a
+// third one holds what the crossings of the yarns beside it say: how far the yarn leans to either side there, and how
+// the thread that it crosses floats. All packed together are the code, so a crossing of a jacquard costs few shifts and
+// a look-up.
 //
 // The repeat of the codes is the least common multiple of the repeats of weave and yarn sequence, after each was
 // reduced to its smallest period: the smallest divisor of its length after which it agrees with itself.
@@ -66,18 +67,28 @@ int leastCommonMultiple(int a, int b) {
   return static_cast<int>(std::min<int64_t>(multiple, std::numeric_limits<int>::max()));
 }
 
-// What one node of a path comes from: the float state in 2 bits, the side in 1, the leaning in 4, the class crossed in
-// the 6 that 64 yarns need. A cell's shape code has its own class above those of its three nodes.
-constexpr int kFloatBits = 3, kOverBit = 4, kLeaningBits = 4, kClassShift = kFloatBits + kLeaningBits;
+// What one node of a path comes from: the float state in 2 bits, the side in 1, the leaning in 4, the float state of
+// the yarn that is crossed in 2, its class in the 6 that 64 yarns need. A cell's shape code has its own class above
+// those of its three nodes.
+constexpr int kFloatBits = 3, kOverBit = 4, kLeaningBits = 4, kOtherShift = kFloatBits + kLeaningBits;
+constexpr int kOtherBits = 2, kClassShift = kOtherShift + kOtherBits;
 constexpr int kNodeBits = kClassShift + 6;
 constexpr ShapeCode kThreeNodes = (ShapeCode{1} << (3 * kNodeBits)) - 1;
 static_assert(kFloatStates <= kOverBit);
 
-/// To which neighbour a yarn is drawn where threads of these sides cross: 1 the one after it, -1 the one before it, 0
-/// neither, as the crossing thread parts it from both or from none.
-constexpr int drawnTo(bool own, bool before, bool after) {
-  return (own != before) - (own != after);
+/// What the sides of the yarns before and after one say of a crossing on it.
+struct Beside {
+  /// To which of them it is drawn: 1 the one after it, -1 the one before it, 0 neither, as the crossing thread parts it
+  /// from both or from none.
+  int drawn = 0;
+  /// The float state of the crossing thread, kAsOwn where nothing is asked of those yarns.
+  int otherState = 0;
+};
+constexpr int kAsOwn = kFloatStates;
+constexpr Beside besideOf(bool own, bool before, bool after) {
+  return {(own != before) - (own != after), (own == before) + (own == after)};
 }
+constexpr auto kNothingAsked = [](int) { return Beside{0, kAsOwn}; };
 
 /// A leaning, of either sign, as it stands in a code and back.
 constexpr ShapeCode codeOfLeaning(int leaning) {
@@ -95,14 +106,14 @@ static_assert(leaningOf(static_cast<int>(codeOfLeaning(kMostLeaning))) == kMostL
 // node: a table, because there is one look-up for every crossing of a jacquard.
 constexpr int kReach = kCrossingReach, kSidesSeen = 2 * kReach + 1;
 
-constexpr std::array<uint32_t, 1 << kSidesSeen> makeFloatCodes() {
-  std::array<uint32_t, 1 << kSidesSeen> codes{};
+constexpr std::array<ShapeCode, 1 << kSidesSeen> makeFloatCodes() {
+  std::array<ShapeCode, 1 << kSidesSeen> codes{};
   for (unsigned sides = 0; sides < codes.size(); ++sides) {
     const auto over = [sides](int i) { return (sides >> i & 1u) != 0; };
     for (int node = 0; node < 3; ++node) {
       const int i = kReach - 1 + node;
       const int state = (over(i - 1) == over(i)) + (over(i + 1) == over(i));
-      codes[sides] = codes[sides] << kNodeBits | static_cast<uint32_t>((over(i) ? kOverBit : 0) | state);
+      codes[sides] = codes[sides] << kNodeBits | static_cast<ShapeCode>((over(i) ? kOverBit : 0) | state);
     }
   }
   return codes;
@@ -131,27 +142,29 @@ int CellCodes::geometryClass(System system, int index) const {
   return all[wrap(index, static_cast<int>(all.size()))];
 }
 
-/// warpOver(i), drawn(i): of the crossing at i along the yarn, 0 <= i < as many as the weave has.
-template <class WarpOver, class Drawn>
-void CellCodes::readOf(System system, int across, int along, const WarpOver& warpOver, const Drawn& drawn,
+/// warpOver(i), beside(i): of the crossing at i along the yarn, 0 <= i < as many as the weave has.
+template <class WarpOver, class BesideAt>
+void CellCodes::readOf(System system, int across, int along, const WarpOver& warpOver, const BesideAt& besideAt,
                        std::span<ShapeCode> codes) const {
   const bool warp = system == System::warp;
   const int alongCount = warp ? weave_.picks() : weave_.ends();
   const std::vector<int>& others = classes(warp ? System::weft : System::warp);
   const ShapeCode own = static_cast<ShapeCode>(geometryClass(system, across)) << (3 * kNodeBits);
 
-  // All slide along the yarn: the sides of the crossings in reach, the leanings, which are one behind as they count the
-  // crossing that is just seen, and the classes of the three yarns that are crossed.
+  // All slide along the yarn: the sides of the crossings in reach, what those of the yarns beside make of each, which
+  // is one behind as it counts the crossing that is just seen, and the classes of the three yarns that are crossed.
   int ahead = wrap(along - kReach, alongCount);
   unsigned sides = 0;
-  ShapeCode leanings = 0;
-  int drawnBefore = 0, drawnHere = 0;
+  ShapeCode crowded = 0;
+  Beside before, here;
   const auto see = [&] {
     const bool over = warpOver(ahead) == warp;
     sides = sides >> 1 | static_cast<unsigned>(over) << (kSidesSeen - 1);
-    const int drawnAfter = drawn(ahead);
-    leanings = (leanings << kNodeBits | codeOfLeaning(kLeaning * drawnHere + drawnBefore + drawnAfter)) & kThreeNodes;
-    drawnBefore = std::exchange(drawnHere, drawnAfter);
+    const Beside after = besideAt(ahead);
+    crowded = (crowded << kNodeBits | codeOfLeaning(kLeaning * here.drawn + before.drawn + after.drawn) |
+               static_cast<ShapeCode>(here.otherState) << kOtherShift) &
+              kThreeNodes;
+    before = std::exchange(here, after);
     if (++ahead == alongCount) ahead = 0;
   };
   for (int i = 0; i < kSidesSeen - 1; ++i) see();
@@ -166,7 +179,7 @@ void CellCodes::readOf(System system, int across, int along, const WarpOver& war
   for (ShapeCode& code : codes) {
     see();
     cross();
-    code = own | crossed | leanings | kFloatCodes[sides];
+    code = own | crossed | crowded | kFloatCodes[sides];
   }
 }
 
@@ -176,10 +189,10 @@ void CellCodes::read(System system, int across, int along, const YarnCrossings& 
                        *const after = crossings.after.data();
   const auto warpOver = [own](int i) { return own[i] != 0; };
   if (crowded_) {
-    const auto drawn = [=](int i) { return drawnTo(own[i] != 0, before[i] != 0, after[i] != 0); };
-    readOf(system, across, along, warpOver, drawn, codes);
+    const auto beside = [=](int i) { return besideOf(own[i] != 0, before[i] != 0, after[i] != 0); };
+    readOf(system, across, along, warpOver, beside, codes);
   } else {
-    readOf(system, across, along, warpOver, [](int) { return 0; }, codes);
+    readOf(system, across, along, warpOver, kNothingAsked, codes);
   }
 }
 
@@ -194,19 +207,21 @@ void CellCodes::read(System system, int across, int along, std::span<ShapeCode> 
   };
   const auto own = column(across);
   if (crowded_) {
-    const auto drawn = [own, before = column(across - 1), after = column(across + 1)](int pick) {
-      return drawnTo(own(pick), before(pick), after(pick));
+    const auto beside = [own, before = column(across - 1), after = column(across + 1)](int pick) {
+      return besideOf(own(pick), before(pick), after(pick));
     };
-    readOf(system, across, along, own, drawn, codes);
+    readOf(system, across, along, own, beside, codes);
   } else {
-    readOf(system, across, along, own, [](int) { return 0; }, codes);
+    readOf(system, across, along, own, kNothingAsked, codes);
   }
 }
 
 CellShape shapeOf(ShapeCode code) {
   const auto nodeAt = [code](int place) {
     const int bits = static_cast<int>(code >> (place * kNodeBits)) & ((1 << kNodeBits) - 1);
-    return CellShape::Node{bits >> kClassShift, (bits & kOverBit) != 0, bits & (kOverBit - 1), leaningOf(bits)};
+    const int floatState = bits & (kOverBit - 1), other = bits >> kOtherShift & ((1 << kOtherBits) - 1);
+    return CellShape::Node{bits >> kClassShift, (bits & kOverBit) != 0, floatState,
+                           other == kAsOwn ? floatState : other, leaningOf(bits)};
   };
   return {static_cast<int>(code >> (3 * kNodeBits)), nodeAt(2), nodeAt(1), nodeAt(0)};
 }

@@ -22,6 +22,7 @@ struct CellShape {
     int crossed = 0;  ///< geometry class
     bool over = false;
     int floatState = 0;  ///< 0..kFloatStates - 1 (pressing.h)
+    int otherState = 0;  ///< likewise, of the yarn that it crosses; where threads do not crowd, taken to be its own
     /// How much the yarn leans to the neighbour after it (or, below 0, before it), which no thread parts it from:
     /// kLeaning for the crossing here, 1 for each beside it, as it is too stiff to follow each. 0 where threads do not
     /// crowd.
@@ -72,8 +73,8 @@ class CellCodes {
   void read(System system, int across, int along, const YarnCrossings& crossings, std::span<ShapeCode> codes) const;
 
  private:
-  template <class WarpOver, class Drawn>
-  void readOf(System system, int across, int along, const WarpOver& warpOver, const Drawn& drawn,
+  template <class WarpOver, class BesideAt>
+  void readOf(System system, int across, int along, const WarpOver& warpOver, const BesideAt& besideAt,
               std::span<ShapeCode> codes) const;
 
   Weave weave_;

@@ -18,25 +18,31 @@ double stiffness(const YarnGeometry& yarn, size_t floatState) {
 }  // namespace
 
 Crossing cross(const YarnGeometry& warp, const YarnGeometry& weft, double balance) {
-  constexpr size_t kInFloat = kFloatStates - 1;
+  constexpr size_t kInFloat = kFloatStates - 1, kEnd = kInFloat - 1;
   const double warpMost = 0.5 * steepestClimb_mm(warp.pitch_mm), weftMost = 0.5 * steepestClimb_mm(weft.pitch_mm);
   Crossing c;
-  for (size_t state = 0; state < kInFloat; ++state) {
-    const double apart = warp.rest_mm[state] + weft.rest_mm[state];
-    const double warpShare = 1 - 1 / (1 + balance * stiffness(weft, state) / stiffness(warp, state));
-    double& warpHeight = c.warpHeight_mm[state];
-    double& weftHeight = c.weftHeight_mm[state];
-    warpHeight = std::min(apart * warpShare, warpMost);
-    weftHeight = std::min(apart - warpHeight, weftMost);
-    warpHeight = std::min(apart - weftHeight, warpMost);
-  }
+  for (size_t warpState = 0; warpState < kInFloat; ++warpState)
+    for (size_t weftState = 0; weftState < kInFloat; ++weftState) {
+      const double apart = warp.rest_mm[warpState] + weft.rest_mm[weftState];
+      const double warpShare = 1 - 1 / (1 + balance * stiffness(weft, weftState) / stiffness(warp, warpState));
+      double& warpHeight = c.warpHeight_mm[warpState][weftState];
+      double& weftHeight = c.weftHeight_mm[weftState][warpState];
+      warpHeight = std::min(apart * warpShare, warpMost);
+      weftHeight = std::min(apart - warpHeight, weftMost);
+      warpHeight = std::min(apart - weftHeight, warpMost);
+    }
   const auto inFloat = [](double end, double rest, double otherEnd, double otherRest) {
     return std::max(end, rest + otherRest - std::max(otherEnd, otherRest));
   };
-  const double warpEnd = c.warpHeight_mm[kInFloat - 1], weftEnd = c.weftHeight_mm[kInFloat - 1];
+  const double warpEnd = c.warpHeight_mm[kEnd][kEnd], weftEnd = c.weftHeight_mm[kEnd][kEnd];
   const double warpRest = warp.rest_mm[kInFloat], weftRest = weft.rest_mm[kInFloat];
-  c.warpHeight_mm[kInFloat] = std::min(inFloat(warpEnd, warpRest, weftEnd, weftRest), warpMost);
-  c.weftHeight_mm[kInFloat] = std::min(inFloat(weftEnd, weftRest, warpEnd, warpRest), weftMost);
+  c.warpHeight_mm[kInFloat].fill(std::min(inFloat(warpEnd, warpRest, weftEnd, weftRest), warpMost));
+  c.weftHeight_mm[kInFloat].fill(std::min(inFloat(weftEnd, weftRest, warpEnd, warpRest), weftMost));
+  // Beside the inside of a float a yarn lies as if both were in the same state.
+  for (size_t state = 0; state < kInFloat; ++state) {
+    c.warpHeight_mm[state][kInFloat] = c.warpHeight_mm[state][state];
+    c.weftHeight_mm[state][kInFloat] = c.weftHeight_mm[state][state];
+  }
   return c;
 }
 

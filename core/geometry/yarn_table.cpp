@@ -38,7 +38,10 @@ std::shared_ptr<const YarnModel> reused(const std::vector<std::shared_ptr<const 
 
 YarnTable::YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task,
                      const Tiling& tiling)
-    : warpPitch_mm_(fabric.warpPitch_mm()), weftPitch_mm_(fabric.weftPitch_mm()), tiling_(tiling) {
+    : crowded_(fabric.crowding > 0),
+      warpPitch_mm_(fabric.warpPitch_mm()),
+      weftPitch_mm_(fabric.weftPitch_mm()),
+      tiling_(tiling) {
   resolve(fabric, previous, sketched, task);
   findThickness();
 }
@@ -108,10 +111,10 @@ void YarnTable::findThickness() {
     for (int own = 0; own < classCount_; ++own)
       for (int other = 0; other < classCount_; ++other) {
         if (!of(system).models[own] || !of(otherSystem).models[other]) continue;
-        for (int state = 0; state < kFloatStates; ++state) {
-          const double crown = node(system, own, {other, true, state}).height_mm;
+        forEachState([&](int state, int otherState) {
+          const double crown = node(system, own, {other, true, state, otherState}).height_mm;
           halfThickness_mm_ = std::max(halfThickness_mm_, crown + of(system).models[own]->reachUp_mm());
-        }
+        });
       }
   }
 }
@@ -144,8 +147,8 @@ PathNode YarnTable::node(System system, int own, const CellShape::Node& at) cons
   const bool warp = system == System::warp;
   const Crossing& c =
       crossings_[static_cast<size_t>(warp ? own : at.crossed) * classCount_ + (warp ? at.crossed : own)];
-  const auto state = static_cast<size_t>(at.floatState);
-  const double height = (warp ? c.warpHeight_mm : c.weftHeight_mm)[state];
+  const auto state = static_cast<size_t>(at.floatState), otherState = static_cast<size_t>(at.otherState);
+  const double height = (warp ? c.warpHeight_mm : c.weftHeight_mm)[state][otherState];
   const YarnGeometry& yarn = of(system).outlines[static_cast<size_t>(own)];
   const SectionScale& section = yarn.pressed[state];
   // Ends are counted along u of the warp's cells, picks against that of the weft's.
@@ -219,11 +222,11 @@ std::vector<int> YarnTable::nodeGroups(System system, int own, const std::vector
   std::vector<int> groups;
   for (const int other : crossed)
     for (const bool over : {true, false})
-      for (int state = 0; state < kFloatStates; ++state) {
-        const PathNode n = node(system, own, {other, over, state});
+      forEachState([&](int state, int otherState) {
+        const PathNode n = node(system, own, {other, over, state, otherState});
         const auto number = static_cast<int>(groups.size());
         groups.push_back(first.try_emplace({n.height_mm, n.up, n.across}, number).first->second);
-      }
+      });
   return groups;
 }
 
@@ -242,17 +245,19 @@ std::vector<int> YarnTable::leaningGroups(System system, int own) const {
 /// Whether all paths have the same nodes: crossings differ by more digits than nodes keep. The yarns must be the same.
 bool YarnTable::sameNodes(const YarnTable& other) const {
   if (crossings_ == other.crossings_) return true;
+  bool same = true;
   for (const System system : {System::warp, System::weft}) {
     const auto& crossedYarns = of(system == System::warp ? System::weft : System::warp).models;
     for (int own = 0; own < classCount_; ++own)
       for (int crossed = 0; crossed < classCount_; ++crossed) {
         if (!of(system).models[own] || !crossedYarns[crossed]) continue;
-        for (int state = 0; state < kFloatStates; ++state)
-          if (!(node(system, own, {crossed, true, state}) == other.node(system, own, {crossed, true, state})))
-            return false;
+        forEachState([&](int state, int otherState) {
+          const CellShape::Node at{crossed, true, state, otherState};
+          same &= node(system, own, at) == other.node(system, own, at);
+        });
       }
   }
-  return true;
+  return same;
 }
 
 CellStrands YarnTable::strands(const YarnCellKey& key) const {

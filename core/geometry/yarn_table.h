@@ -78,6 +78,13 @@ class YarnTable {
   };
   const SystemYarns& of(System system) const { return systems_[static_cast<size_t>(system)]; }
   PathNode node(System system, int own, const CellShape::Node& at) const;
+  /// visit(state, otherState): of the float states that a yarn and the one it crosses may be in at a crossing.
+  template <class Visit>
+  void forEachState(const Visit& visit) const {
+    for (int state = 0; state < kFloatStates; ++state)
+      for (int otherState = 0; otherState < kFloatStates; ++otherState)
+        if (crowded_ || otherState == state) visit(state, otherState);
+  }
   bool sameNodes(const YarnTable& other) const;
   std::vector<int> nodeGroups(System system, int own, const std::vector<int>& crossed) const;
   std::vector<int> leaningGroups(System system, int own) const;
@@ -87,6 +94,7 @@ class YarnTable {
   std::array<SystemYarns, 2> systems_;
   std::vector<Crossing> crossings_;  ///< warp class * classCount + weft class
   int classCount_ = 0;
+  bool crowded_ = false;
   double warpPitch_mm_ = 0, weftPitch_mm_ = 0, halfThickness_mm_ = 0;
   Tiling tiling_;
 };

@@ -22,6 +22,10 @@ Weave basket() {
 Weave rib() {
   return Weave(std::vector<Weave::Row>{{1, 0}, {1, 0}, {0, 1}, {0, 1}});
 }
+/// Two ends as one: weft rib.
+Weave oxford() {
+  return Weave(std::vector<Weave::Row>{{0, 0, 1, 1}, {1, 1, 0, 0}});
+}
 Weave honeycomb() {
   return Weave(std::vector<Weave::Row>{{1, 0, 0, 0, 0, 0},
                                        {1, 1, 0, 0, 0, 1},
@@ -107,6 +111,8 @@ std::vector<Construction> constructions() {
        found(1.9, 1.9, 0.359, {0.0055, 0.0023}), found(1.9, 1.9, 0.291), 0.810},
       {"warp rib of 2", false, cloth(rib(), 28, 24, middle, middle), found(8.7, 1.6, 0.44, {0, 0.017}),
        found(8.2, 1.9, 0.405), 0.918, false, kRib},
+      {"oxford, two ends as one", false, cloth(oxford(), 43.3, 22.8, fine, cotton(29.5, 700)),
+       found(10, 4.1, 0.297, {0.0077, 0}), found(9.6, 4, 0.285), 0.966, false, kRib},
       {"linen, plain", false, cloth(plain(), 14, 13, linen, linen), found(4.4, 3.6, 0.418), found(4.1, 4, 0.401),
        0.966},
       {"taffeta, plain, filament", false,
@@ -115,8 +121,9 @@ std::vector<Construction> constructions() {
   };
 }
 
-ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press) {
-  const Fabric fabric = fabricOf(cloth, press);
+ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press, double crowding) {
+  Fabric fabric = fabricOf(cloth, press);
+  fabric.crowding = crowding;
   return ClothGeometry(fabric, fabric.weave.ends(), fabric.weave.picks(), nullptr, true).measure();
 }
 

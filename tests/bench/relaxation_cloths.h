@@ -17,14 +17,14 @@ struct Construction {
   RelaxedMeasures pressed;
   double plates = 1;             ///< that much, as a share of the thickness
   bool isUnlikePressed = false;  ///< its weft keeps more crimp between plates than ours does when it is pressed
-  /// One yarn floats where its partners bend both ways, which a law that knows no partners gets wrong.
+  /// One yarn floats where its partners bend both ways, which cloth that does not crowd knows nothing of.
   bool isRib = false;
 };
 std::vector<Construction> constructions();
 
-/// The same cloth, as the program makes it in closed form: even singles that flatten as most do. `press`:
-/// Fabric::press, 0 washed.
-ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press);
+/// The same cloth, as the program makes it in closed form: even singles that flatten as most do. Fabric::press, 0
+/// washed, and Fabric::crowding.
+ClothMeasures inClosedForm(const RelaxedCloth& cloth, double press, double crowding = 0);
 /// RelaxedMeasures::drawnAside_mm of the same cloth, washed, whose Fabric::crowding is 1.
 std::array<double, 2> asideInClosedForm(const RelaxedCloth& cloth);
 

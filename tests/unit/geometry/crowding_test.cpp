@@ -27,7 +27,7 @@ YarnCellKey keyOf(const ClothGeometry& cloth, System system, int across, int alo
   return system == System::warp ? cloth.key(system, along, across) : cloth.key(system, across, along);
 }
 
-TEST(Leaning, IsWhatTheCrossingsOfTheYarnsBesideSay) {
+TEST(CellShape, KnowsOfCrowdedThreadsWhatTheCrossingsOfTheYarnsBesideSay) {
   const Fabric fabric = anyWeave(9, 7);
   const ClothGeometry cloth(fabric, 9, 7);
   for (const System system : {System::warp, System::weft}) {
@@ -38,6 +38,11 @@ TEST(Leaning, IsWhatTheCrossingsOfTheYarnsBesideSay) {
     const auto drawnTo = [&](int across, int along) {
       const bool own = isOver(across, along);
       return (isOver(across - 1, along) != own) - (isOver(across + 1, along) != own);
+    };
+    /// How the thread that is crossed floats: on how many of the yarns beside it lies as it does here.
+    const auto otherState = [&](int across, int along) {
+      const bool own = isOver(across, along);
+      return (isOver(across - 1, along) == own) + (isOver(across + 1, along) == own);
     };
     for (int across = -2; across < 12; ++across) {
       std::vector<ShapeCode> codes(30);
@@ -50,8 +55,23 @@ TEST(Leaning, IsWhatTheCrossingsOfTheYarnsBesideSay) {
           EXPECT_EQ(nodes[node]->leaning,
                     kLeaning * drawnTo(across, along) + drawnTo(across, along - 1) + drawnTo(across, along + 1))
               << across << " " << along;
+          EXPECT_EQ(nodes[node]->otherState, otherState(across, along)) << across << " " << along;
         }
       }
+    }
+  }
+}
+
+TEST(CellShape, OfThreadsThatDoNotCrowdTakesThoseCrossedToFloatAlike) {
+  Fabric fabric = anyWeave(9, 7);
+  fabric.crowding = 0;
+  const ClothGeometry cloth(fabric, 9, 7);
+  std::vector<ShapeCode> codes(7);
+  for (int end = 0; end < 9; ++end) {
+    cloth.codes().read(System::warp, end, 0, codes);
+    for (const ShapeCode code : codes) {
+      EXPECT_EQ(shapeOf(code).here.otherState, shapeOf(code).here.floatState);
+      EXPECT_EQ(shapeOf(code).here.leaning, 0);
     }
   }
 }

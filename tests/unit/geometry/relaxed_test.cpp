@@ -75,6 +75,33 @@ TEST(ClosedForm, IsWithinTwoPointsOfCrimpOfYarnsBetweenPlates) {
   EXPECT_GE(held, 8);
 }
 
+// Threads that crowd know how those that they cross float. A rib is then as thick as it should be. The warp of a warp
+// rib is crimped by 3.4 points more than the relaxed one, which goes over to the other side over more than one pitch.
+TEST(ClosedForm, OfARibWhoseThreadsCrowdIsNearerToRelaxedYarns) {
+  int ribs = 0;
+  for (const Construction& of : constructions()) {
+    if (!of.isRib) continue;
+    SCOPED_TRACE(of.name);
+    ++ribs;
+    const ClothMeasures ours = inClosedForm(of.cloth, 0, 1);
+    EXPECT_NEAR(ours.thickness_mm / of.relaxed.thickness_mm, 1, 0.15);
+    EXPECT_NEAR(ours.crimpWarp, of.relaxed.crimpWarp, 0.035);
+    EXPECT_NEAR(ours.crimpWeft, of.relaxed.crimpWeft, 0.02);
+  }
+  EXPECT_EQ(ribs, 2);
+}
+
+TEST(ClosedForm, OfAllOtherClothHardlyChangesWhereThreadsCrowd) {
+  for (const Construction& of : constructions()) {
+    SCOPED_TRACE(of.name);
+    if (of.isRib) continue;
+    const ClothMeasures even = inClosedForm(of.cloth, 0), crowded = inClosedForm(of.cloth, 0, 1);
+    EXPECT_NEAR(crowded.crimpWarp, even.crimpWarp, 0.003);
+    EXPECT_NEAR(crowded.crimpWeft, even.crimpWeft, 0.003);
+    EXPECT_NEAR(crowded.thickness_mm / even.thickness_mm, 1, 0.01);
+  }
+}
+
 // How far threads are drawn aside goes from nothing, in plain weave, to a sixth of their radius, in a basket.
 TEST(ClosedForm, DrawsThreadsAsideAsRelaxedYarnsAre) {
   double off = 0, all = 0;

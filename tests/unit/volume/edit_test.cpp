@@ -63,7 +63,7 @@ Fabric edited(const Fabric& before, Random& random) {
       fabric.settCv_percent = 5 * random.below(3);
       break;
     case 12:
-      fabric.crowding = random.below(4);
+      fabric.crowding = fabric.crowding > 0 ? 0 : 1 + random.below(3);
       break;
     default: {
       const auto [pick, end] = place();
@@ -115,10 +115,10 @@ TEST(Edits, LeaveWhatAFreshBuildMakes) {
     fabric.fibres[0].radius_um = 45;  // few
     fabric.yarns[0].hairiness_per_mm = 0;
     fabric.weave = fabric.weave.resized(16, 12);
-    fabric.crowding = static_cast<double>(seed % 3);
+    fabric.crowding = seed > 4 ? 1 : 0;
     // A piece of several repeats, of less than one, or of one and a bit.
     const int ends = 8 + random.below(40), picks = 8 + random.below(40);
-    ASSERT_NO_FATAL_FAILURE(walk(fabric, ends, picks, 100, random));
+    ASSERT_NO_FATAL_FAILURE(walk(fabric, ends, picks, 60, random));
   }
 }
 
