@@ -34,9 +34,6 @@ double fibreArea_mm2(const RelaxedYarn& yarn) {
 double beadRadius_mm(const RelaxedYarn& yarn) {
   return std::sqrt(fibreArea_mm2(yarn) / (strandPacking(yarn) * kStrands * kPi));
 }
-double freeRadius_mm(const RelaxedYarn& yarn) {
-  return std::sqrt(fibreArea_mm2(yarn) / (yarn.packing * kPi));
-}
 
 /// Places of strands in a free yarn, (across, up): a centre and two rings.
 std::array<glm::dvec2, kStrands> strandPlaces(double radius_mm, double bead_mm) {
@@ -304,6 +301,10 @@ class Solver {
 };
 
 }  // namespace
+
+double freeRadius_mm(const RelaxedYarn& yarn) {
+  return std::sqrt(fibreArea_mm2(yarn) / (yarn.packing * kPi));
+}
 
 RelaxedMeasures relax(const RelaxedCloth& cloth, const Relaxation& how) {
   return Solver(cloth, how).run();

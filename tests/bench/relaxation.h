@@ -17,6 +17,9 @@ struct RelaxedYarn {
   double twist_per_m = 700;  ///< what holds its section round
 };
 
+/// Of the yarn where nothing presses it.
+double freeRadius_mm(const RelaxedYarn& yarn);
+
 /// One repeat of a weave of one warp and one weft yarn, that goes on for ever.
 struct RelaxedCloth {
   Weave weave{{{1, 0}, {0, 1}}};

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/base/units.h"
 #include "tests/bench/relaxation_cloths.h"
 
 // Crimp and thickness of cloth: ours in closed form, beside yarns of hard strands that were relaxed; then how these lie
@@ -26,10 +25,6 @@ struct Gap {
 Gap gapOf(const ClothMeasures& ours, const RelaxedMeasures& relaxed) {
   return {100 * std::max(std::abs(ours.crimpWarp - relaxed.crimpWarp), std::abs(ours.crimpWeft - relaxed.crimpWeft)),
           100 * std::abs(ours.thickness_mm / relaxed.thickness_mm - 1)};
-}
-
-double freeRadius_mm(const RelaxedYarn& yarn) {
-  return std::sqrt(yarn.count_tex * 1e-3 / (yarn.density_g_cm3 * yarn.packing * kPi));
 }
 
 std::string asideText(const Construction& of, const RelaxedMeasures& relaxed) {

@@ -109,8 +109,7 @@ TEST(ClosedForm, DrawsThreadsAsideAsRelaxedYarnsAre) {
     SCOPED_TRACE(of.name);
     const std::array<double, 2> ours = asideInClosedForm(of.cloth);
     for (size_t system = 0; system < 2; ++system) {
-      const RelaxedYarn& yarn = system == 0 ? of.cloth.warp : of.cloth.weft;
-      const double radius_mm = std::sqrt(yarn.count_tex * 1e-3 / (yarn.density_g_cm3 * yarn.packing * kPi));
+      const double radius_mm = freeRadius_mm(system == 0 ? of.cloth.warp : of.cloth.weft);
       const double relaxed = of.relaxed.drawnAside_mm[system] / radius_mm;
       // The ends of denim touch, and their strands still find room: 0.06 more. All others are within 0.04.
       EXPECT_NEAR(ours[system] / radius_mm, relaxed, 0.065);
