@@ -18,7 +18,6 @@ namespace {
 constexpr const char* kNap = "the nap that raising makes, which a gauge rests on, is not modelled";
 constexpr Allowance kRaisedBlanket{0.55, kNap},
     kDeepens{0.70, "the cells of a honeycomb deepen as it shrinks, which is not modelled"},
-    kSpreads{0.35, "filaments with hardly a twist spread at crossings more than the law of pressing lets them"},
     kLiesFlat{
         0.30,
         "relaxed yarns of this construction are 0.28 to 0.30 mm thick before they are pressed: the figure, recalled, "
@@ -135,7 +134,7 @@ const WardrobeCloth kCloths[] = {
      "Shot taffeta",
      kWardrobeTaffeta,
      {"20/22 den: organzine 2 x 105 / tram 3 x 47 per cm", 65, 0.13,
-      "mass: recalled, 15 momme; construction, thickness: recalled, 0.11 to 0.15", kSpreads}},
+      "mass: recalled, 15 momme; construction, thickness: recalled, 0.11 to 0.15"}},
     {"lining_twill",
      "Lining twill",
      kWardrobeLiningTwill,

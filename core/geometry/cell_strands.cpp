@@ -5,9 +5,9 @@
 #include <span>
 
 // How it works. All fibres of a cell have their points at the same stations along the yarn (stations.cpp), which know
-// the angles of ply, cord and yarn there. In the round section a fibre's place is the sum of three turned vectors: of
-// the cord about the yarn, of the ply about the cord, of the fibre about the ply (where it has migrated to). That sum
-// is scaled across and up, as the yarn is pressed there, and set into the plane normal to the yarn's path. The
+// the angles of ply, cord and yarn there. In the round section a fibre turns about its ply (where it has migrated to),
+// that about its cord, and that about the yarn; plies and cords give way to one another (ply_shape.h). That place is
+// scaled across and up, as the yarn is pressed there, and set into the plane normal to the yarn's path. The
 // polylines reach beyond the cell, since its ends cut slanted sections: StrandClipper cuts them there, with the new
 // ends exactly on the edge, so that the next cell of the yarn goes on from the very same points.
 
@@ -106,40 +106,31 @@ struct StationLists {
   }
 };
 
-/// Of the i-th of n that stand evenly around: (up, across).
-glm::vec2 direction(int i, int n) {
-  const float angle = 2 * static_cast<float>(kPi) * static_cast<float>(i) / static_cast<float>(n);
-  return {std::cos(angle), std::sin(angle)};
-}
-
-/// p = (up, across), turned by the angle of that direction. Positive turns go from up (z) towards u: right-handed about
-/// s, so Z twist.
-glm::vec2 turned(glm::vec2 direction, glm::vec2 p) {
-  return {direction.x * p.x - direction.y * p.y, direction.y * p.x + direction.x * p.y};
-}
-
 void layBody(const YarnModel& yarn, const std::vector<Station>& stations, StrandClipper& clipper) {
   const YarnGeometry& g = yarn.geometry;
   const size_t n = stations.size();
   const StationLists at(stations);
-  const float plyOrbit = static_cast<float>(g.plyOrbit_mm), cordOrbit = static_cast<float>(g.cordOrbit_mm);
+  const PlyShape plyShape = g.plyShape(), cordShape = g.cordShape();
 
-  std::vector<glm::vec2> plyAt(n), spin(n), place(n);  // up, across
+  std::vector<glm::vec2> inPly(n), inCord(n), inYarn(n);  // angles of the fibre, its ply and its cord, each in the next
+  std::vector<glm::vec2> place(n);                        // up, across
   std::vector<glm::vec3> line(n);
   for (int single = 0; single < g.singles(); ++single) {
-    const glm::vec2 cord = direction(single / g.plies, g.cords), ply = direction(single % g.plies, g.plies);
+    const glm::vec2 cord = directionOf(single / g.plies, g.cords), ply = directionOf(single % g.plies, g.plies);
     for (size_t i = 0; i < n; ++i) {
       const Station& x = stations[i];
-      plyAt[i] = turned(
-          cord, cordOrbit * glm::vec2(x.cableCos, x.cableSin) + plyOrbit * turned(ply, {x.orbitCos, x.orbitSin}));
-      spin[i] = turned(cord, {x.spinCos, x.spinSin});
+      const glm::vec2 orbit = turned(ply, glm::vec2(x.orbitCos, x.orbitSin)), cable(x.cableCos, x.cableSin);
+      inPly[i] = turned(backwards(orbit), glm::vec2(x.spinCos, x.spinSin));
+      inCord[i] = turned(backwards(cable), orbit);
+      inYarn[i] = turned(cord, cable);
     }
     const Migration& fibres = yarn.plies[static_cast<size_t>(single % g.plies)];
     for (int fibre = 0; fibre < fibres.fibres(); ++fibre) {
       for (size_t i = 0; i < n; ++i)
         place[i] = fibres.moves() ? fibres.place(fibre, stations[i].migration) : fibres.place(fibre);
       for (size_t i = 0; i < n; ++i) {
-        const glm::vec2 fibreAt = plyAt[i] + turned(spin[i], place[i]);
+        const glm::vec2 fibreInCord = turned(inCord[i], plyShape.place(turned(inPly[i], place[i])));
+        const glm::vec2 fibreAt = turned(inYarn[i], cordShape.place(fibreInCord));
         const float up = at.upScale[i] * fibreAt.x, across = at.acrossScale[i] * fibreAt.y;
         line[i] = {at.aside[i] + across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
       }

@@ -20,6 +20,28 @@ struct PlaceOf {
   T up, across;
 };
 using PlaceLanes = PlaceOf<Float32x8>;
+
+/// p = (up, across) in a section, turned by the angle of that direction. Positive turns go from up (z) towards u:
+/// right-handed about s, so Z twist.
+template <class Vec2>
+Vec2 turned(Vec2 direction, Vec2 p) {
+  return {direction.x * p.x - direction.y * p.y, direction.y * p.x + direction.x * p.y};
+}
+template <class T>
+PlaceOf<T> turned(glm::dvec2 direction, const PlaceOf<T>& p) {
+  const T along = broadcast<T>(direction.x), aside = broadcast<T>(direction.y);
+  return {along * p.up - aside * p.across, aside * p.up + along * p.across};
+}
+/// The direction that turns as far the other way.
+inline glm::vec2 backwards(glm::vec2 direction) {
+  return {direction.x, -direction.y};
+}
+/// Of the i-th of n that stand evenly around.
+inline glm::vec2 directionOf(int i, int n) {
+  const float angle = 2 * static_cast<float>(kPi) * static_cast<float>(i) / static_cast<float>(n);
+  return {std::cos(angle), std::sin(angle)};
+}
+
 /// Eight sections of the same fibres, fibre by fibre.
 using SectionLanes = std::vector<PlaceLanes>;
 

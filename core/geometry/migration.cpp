@@ -18,12 +18,6 @@ namespace {
 
 constexpr int kSweeps = 100;
 
-template <class T>
-PlaceOf<T> turned(glm::dvec2 direction, const PlaceOf<T>& p) {
-  const T along = broadcast<T>(direction.x), aside = broadcast<T>(direction.y);
-  return {along * p.up - aside * p.across, aside * p.up + along * p.across};
-}
-
 /// Of so many turns, spread over the stages: the direction of one stage.
 glm::dvec2 directionAt(size_t stage, int turns, size_t stages) {
   const double angle = 2 * kPi * turns * static_cast<double>(stage) / static_cast<double>(stages);

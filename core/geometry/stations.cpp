@@ -38,18 +38,25 @@ class CellStations {
     reach_ = reach;
     const int fibres = std::max(1, static_cast<int>(yarn.fibreCount()));
     maxStations_ = std::clamp(kMaxPointsPerCell / fibres, kLeastMaxStations, kMaxStations);
+    const YarnGeometry& g = yarn.geometry;
+    const PlyShape plyShape = g.plyShape(), cordShape = g.cordShape();
+    const double stretched =
+        plyShape.stretch(yarn.plyReach_mm) * cordShape.stretch(plyShape.reach_mm(yarn.plyReach_mm));
     for (const Migration& ply : yarn.plies) {
-      slope_ = std::max(slope_, ply.slope_mm());
-      bend_ = std::max(bend_, ply.bend_mm());
+      slope_ = std::max(slope_, stretched * ply.slope_mm());
+      bend_ = std::max(bend_, stretched * ply.bend_mm());
     }
+    twist_ = ratesOfTwist(plyShape, cordShape);
     maxTilt_ = std::min(1.0, 0.499 * pitch_mm / std::max(reach, 1e-9));
   }
 
   /// The stations of a transition whose first node is at s and has the given phase; its last station too if `last`.
   void add(const PathNode& from, const PathNode& to, double s_mm, double phase, bool last) {
+    const YarnGeometry& g = yarn_.geometry;
     const Transition path(from, to, pitch_);
-    const TwistEasing easing(path.length_mm(), yarn_.geometry.cellLength_mm);
-    const SectionEasing section({from.up, from.across}, {to.up, to.across}, yarn_.geometry.free);
+    const TwistEasing easing(path.length_mm(), g.cellLength_mm);
+    const SectionEasing section(g.withinOutline({from.up, from.across}), g.withinOutline({to.up, to.across}),
+                                g.withinOutline(g.free));
     Rates rates = ratesOf(section, path.length_mm(), easing.maxCellsPerMm(), swingOn(phase));
     const double leaning_mm = static_cast<double>(to.aside_mm) - from.aside_mm;
     rates.slope += 1.5 * std::abs(leaning_mm) / path.length_mm();  // of smoothstep, as below
@@ -87,8 +94,29 @@ class CellStations {
   /// How fast the outermost fibre moves across a straight yarn, and how sharply it turns: bounds on the first and
   /// second derivative of its place by the length of the axis.
   struct Rates {
-    double slope, bend;
+    double slope = 0, bend = 0;
   };
+  /// Of the outermost fibres, wherever in its ply one starts, and the ply in its cord.
+  Rates ratesOfTwist(const PlyShape& plyShape, const PlyShape& cordShape) const {
+    const YarnGeometry& g = yarn_.geometry;
+    const auto angles = [](int plies) { return plies > 1 ? 24 : 1; };
+    const auto direction = [](double share) {
+      return glm::dvec2(std::cos(2 * kPi * share), std::sin(2 * kPi * share));
+    };
+    Rates most;
+    const int around = std::max(angles(g.plies), angles(g.cords)), about = angles(g.cords);
+    for (int i = 0; i < around; ++i)
+      for (int k = 0; k < about; ++k) {
+        const Motion still{yarn_.plyReach_mm * direction(static_cast<double>(i) / around)};
+        Motion inCord = plyShape.place(still.turning(g.plyTurns)).turning(g.yarnTurns);
+        for (glm::dvec2* const v : {&inCord.at, &inCord.velocity, &inCord.acceleration})
+          *v = turned(direction(static_cast<double>(k) / about), *v);
+        const Motion fibre = cordShape.place(inCord).turning(g.cableTurns);
+        most.slope = std::max(most.slope, glm::length(fibre.velocity));
+        most.bend = std::max(most.bend, glm::length(fibre.acceleration));
+      }
+    return most;
+  }
   /// By how much faster than evenly the transition from a phase on is twisted, at most: 0 where two stretches share it.
   double swingOn(double phase) const {
     const double cells = yarn_.geometry.period - 1.0, most = stretch_.twistSwing(), fastest = most > 0 ? 0.25 : 0.75;
@@ -102,15 +130,12 @@ class CellStations {
   Rates ratesOf(const SectionEasing& section, double length_mm, double cellsPerMm, double swing) const {
     const YarnGeometry& g = yarn_.geometry;
     const double twistPerMm = (1 + swing) * cellsPerMm, turn = 2 * kPi * twistPerMm / g.period;
-    const double spin = turn * std::abs(g.fibreSpin()), orbit = turn * std::abs(g.plySpin());
-    const double cable = turn * std::abs(g.cableTurns);
     const double patterns = twistPerMm * yarn_.patterns / g.period;
     const double wander = patterns * slope_, wanderBend = patterns * patterns * bend_;
-    const double inPly = yarn_.bodyReach_mm - g.plyOrbit_mm - g.cordOrbit_mm;
-    const double slope = inPly * spin + g.plyOrbit_mm * orbit + g.cordOrbit_mm * cable + wander;
+    const double spin = turn * (std::abs(g.plyTurns) + std::abs(g.yarnTurns) + std::abs(g.cableTurns));
+    const double slope = turn * twist_.slope + wander;
     const double hastened = swing == 0 ? 0.0 : 2 * kPi * std::abs(stretch_.twistSwing()) * cellsPerMm / (g.period - 1);
-    const double bend = inPly * spin * spin + g.plyOrbit_mm * orbit * orbit + g.cordOrbit_mm * cable * cable +
-                        wanderBend + 2 * wander * spin + hastened * slope;
+    const double bend = turn * turn * twist_.bend + wanderBend + 2 * wander * spin + hastened * slope;
     const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
     const double scale = section.largest() * yarn_.thickest();
     const auto [thickSlope, thickBend] = thicknessRates(cellsPerMm);
@@ -186,6 +211,7 @@ class CellStations {
   const YarnModel& yarn_;
   const Stretch& stretch_;
   double pitch_, reach_ = 0, maxTilt_ = 1;
+  Rates twist_;                  ///< of the outermost fibres as they turn, by the turns of a period, radians
   double slope_ = 0, bend_ = 0;  ///< of the fibres' migration, mm
   int maxStations_ = kMaxStations;
   std::vector<Station> stations_;

@@ -8,7 +8,7 @@
 #include "core/fabric/model/yarn_count.h"
 
 // How it works. A yarn's radius follows from its mass, its fibres' density and how densely they are packed; plies and
-// cords are circles that touch, on an orbit about their common axis. At a crossing the section is pressed flat and
+// cords give way to one another about their common axis (ply_shape.h). At a crossing the section is pressed flat and
 // keeps its area (pressing.h). The twist of the trade is then rounded so that a whole number of turns fits into a few
 // cells: the shortest such period whose surface lies within a tolerance of the exact helix, so that one yarn needs few
 // bricks.
@@ -31,28 +31,11 @@ Twist possibleTwist(const YarnGeometry& g, const Yarn& yarn, double cellLength_m
   const Twist twist = nominalTwist(yarn);
   const double ply = std::abs(twist.ply_per_mm), plies = std::abs(twist.yarn_per_mm),
                cords = std::abs(twist.cable_per_mm);
-  const double tangent = 2 * kPi * (ply * g.plyRadius_mm + plies * g.cordRadius_mm() + cords * 0.5 * g.diameter_mm());
+  const double tangent = 2 * kPi * (ply * g.plyRadius_mm + plies * g.cordRadius_mm() + cords * g.radius_mm());
   const double turns = (ply + plies + cords) * cellLength_mm;
   const double scale =
       std::min({1.0, kMaxHelixTangent / std::max(tangent, 1e-9), kMaxTurnsPerCell / std::max(turns, 1e-9)});
   return {twist.ply_per_mm * scale, twist.yarn_per_mm * scale, twist.cable_per_mm * scale};
-}
-
-/// Distance from their common axis of circles that touch.
-double orbit(int circles, double radius_mm) {
-  return circles > 1 ? radius_mm / std::sin(kPi / circles) : 0.0;
-}
-
-/// Mean height of the topmost of circles on an orbit as they turn, over the orbit.
-double meanTop(int circles) {
-  return circles / kPi * std::sin(kPi / circles);
-}
-
-/// Sets the ply's radius, and where it puts plies and cords.
-void setPlyRadius(YarnGeometry& g, double radius_mm) {
-  g.plyRadius_mm = radius_mm;
-  g.plyOrbit_mm = orbit(g.plies, radius_mm);
-  g.cordOrbit_mm = orbit(g.cords, g.cordRadius_mm());
 }
 
 /// Ply radius: from the count directly; from a number of fibres through their take-up, which depends on the radius.
@@ -64,7 +47,7 @@ double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre)
   YarnGeometry trial = g;
   double takeUp = 1;
   for (int i = 0; i < 20; ++i) {
-    setPlyRadius(trial, r * std::sqrt(*yarn.fibresPerPly * takeUp / yarn.packing));
+    trial.plyRadius_mm = r * std::sqrt(*yarn.fibresPerPly * takeUp / yarn.packing);
     takeUp = estimateTakeUp(trial, possibleTwist(trial, yarn, 0));
   }
   return trial.plyRadius_mm;
@@ -74,9 +57,9 @@ double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre)
 /// goes up with it.
 void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
   constexpr double kTallest = 2;  // over its width
-  const double core = g.coreRadius_mm(), area = section.up * section.across;
-  const double widest = std::max(0.5 * g.crossPitch_mm / core, std::sqrt(area / kTallest));
-  const double across = std::min({section.across, widest, 1.3 * g.crossPitch_mm / core});
+  const double radius = g.radius_mm(), area = section.up * section.across;
+  const double widest = std::max(0.5 * g.crossPitch_mm / radius, std::sqrt(area / kTallest));
+  const double across = std::min({section.across, widest, 1.3 * g.crossPitch_mm / radius});
   const double up = std::min(area / across, std::max(section.up, kTallest * across));
   rest_mm *= up / section.up;
   section = {up, across};
@@ -85,17 +68,17 @@ void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
 void pressSections(YarnGeometry& g, const Yarn& yarn, double press, double felting) {
   constexpr double kUsualFlattening = 1.2;  // of the yarns that the law was found for
   constexpr SectionScale kFree = {0.92, 0.97};
-  const bool rigid = isMonofilament(yarn);
-  // Plies give way into the gaps between them: as high as a single of their area, they are wider by what they keep.
+  const bool rigid = g.isWire;
+  // Many plies leave gaps between them: as high as a single of their area, they are wider by what they keep.
   const double single = g.plyRadius_mm * std::sqrt(static_cast<double>(g.singles()));
-  const double flatter = rigid ? 1.0 : std::sqrt(yarn.flattening / kUsualFlattening) * g.coreRadius_mm() / single;
+  const double flatter = rigid ? 1.0 : std::sqrt(yarn.flattening / kUsualFlattening) * g.radius_mm() / single;
   const double closer = rigid ? 1.0 : std::sqrt(yarn.packing / packingAtCrossings(yarn.packing, felting));
   for (int state = 0; state < kFloatStates; ++state) {
     const Yielding yielding = rigid ? Yielding{} : yieldingOf(press, yarn.packing, state);
     SectionScale& section = g.pressed[static_cast<size_t>(state)];
     double& rest_mm = g.rest_mm[static_cast<size_t>(state)];
     section = {yielding.section.up * closer / flatter, yielding.section.across * closer * flatter};
-    rest_mm = yielding.apart * closer / flatter * g.coreRadius_mm();
+    rest_mm = yielding.apart * closer / flatter * g.radius_mm();
     if (!rigid) fit(g, section, rest_mm);
   }
   double unused = 0;
@@ -116,14 +99,18 @@ Evenness evennessOf(const Yarn& yarn) {
 
 }  // namespace
 
-double YarnGeometry::coreRadius_mm() const {
-  return plyRadius_mm + meanTop(plies) * plyOrbit_mm + meanTop(cords) * cordOrbit_mm;
+SectionScale YarnGeometry::withinOutline(const SectionScale& outline) const {
+  const double radius = radius_mm();
+  const auto within = [&](double factor) {
+    return std::max(0.5 * factor, (factor * radius - rim_mm) / (radius - rim_mm));
+  };
+  return {within(outline.up), within(outline.across)};
 }
 
 double YarnGeometry::highest() const {
   double most = free.up;
   for (const SectionScale& section : pressed) most = std::max(most, section.up);
-  return most;
+  return std::max(most, withinOutline({most, most}).up);
 }
 
 std::vector<int> geometryClasses(const Fabric& fabric) {
@@ -148,8 +135,8 @@ double estimateTakeUp(const YarnGeometry& g, const Twist& twist) {
   const double plies = cords + 2 * kPi * twist.yarn_per_mm;
   const double fibres = plies + 2 * kPi * twist.ply_per_mm;
   // Over all fibres the three circular motions are independent.
-  return std::sqrt(1 + 0.5 * square(fibres * g.plyRadius_mm) + square(plies * g.plyOrbit_mm) +
-                   square(cords * g.cordOrbit_mm));
+  return std::sqrt(1 + 0.5 * square(fibres * g.plyRadius_mm) + square(plies * g.plyShape().orbit_mm()) +
+                   square(cords * g.cordShape().orbit_mm()));
 }
 
 YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm, double press,
@@ -157,6 +144,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   YarnGeometry g;
   g.cords = yarn.cords;
   g.plies = yarn.plies;
+  g.isWire = isMonofilament(yarn);
   g.fibreDensity_g_cm3 = fibre.density_g_cm3;
   g.pitch_mm = pitch_mm;
   g.crossPitch_mm = crossPitch_mm;
@@ -164,11 +152,11 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.disorder = std::tan(yarn.fibreDisorder_deg * kPi / 180);
   g.hairiness_per_mm = yarn.hairiness_per_mm;
   g.hairLength_mm = yarn.hairiness_per_mm > 0 ? yarn.hairLength_mm : 0.0;
-  g.wrappers_per_mm = isMonofilament(yarn) ? 0.0 : 0.1 * yarn.wrappers_per_cm;
+  g.wrappers_per_mm = g.isWire ? 0.0 : 0.1 * yarn.wrappers_per_cm;
   g.evenness = evennessOf(yarn);
   g.layout = yarn.layout;
-  setPlyRadius(g, plyRadius_mm(g, yarn, fibre));
-  g.fibreArea_mm2 = (isMonofilament(yarn) ? 1.0 : yarn.packing) * g.singles() * kPi * g.plyRadius_mm * g.plyRadius_mm;
+  g.plyRadius_mm = plyRadius_mm(g, yarn, fibre);
+  g.fibreArea_mm2 = (g.isWire ? 1.0 : yarn.packing) * g.singles() * kPi * g.plyRadius_mm * g.plyRadius_mm;
   pressSections(g, yarn, press, felting);
   return g;
 }
@@ -188,7 +176,7 @@ void resolveTwist(YarnGeometry& g, const Yarn& yarn, double cellLength_mm) {
     const double error =
         2 * kPi *
         std::max({error_mm(twist.ply_per_mm, g.plyRadius_mm), error_mm(twist.yarn_per_mm, g.cordRadius_mm()),
-                  error_mm(twist.cable_per_mm, 0.5 * g.diameter_mm())});
+                  error_mm(twist.cable_per_mm, g.radius_mm())});
     if (best >= 0 && error >= best) continue;
     best = error;
     g.period = period;

@@ -7,6 +7,7 @@
 
 #include "core/fabric/model/fabric.h"
 #include "core/fabric/model/finish.h"
+#include "core/geometry/ply_shape.h"
 #include "core/geometry/pressing.h"
 #include "core/geometry/spool.h"
 
@@ -20,11 +21,11 @@ struct YarnGeometry {
   int plies = 1;  ///< of each cord
   int fibresPerPly = 1;
   double fibreRadius_mm = 0;  ///< chosen so that the whole number of fibres has exactly the yarn's count
+  double rim_mm = 0;          ///< from the outline to the axes of the outermost fibres, at most half the ply's radius
   double fibreDensity_g_cm3 = 0;
   double count_tex = 0;      ///< of the yarn as it lies in the cloth, take-up of its twists and loose hairs included
   double plyRadius_mm = 0;   ///< holds the fibres' volume at the yarn's packing
-  double plyOrbit_mm = 0;    ///< distance of the ply axes from their cord's; 0 for a single ply
-  double cordOrbit_mm = 0;   ///< distance of the cord axes from the yarn axis; 0 for one cord
+  bool isWire = false;       ///< one fibre a ply: nothing presses it
   double fibreArea_mm2 = 0;  ///< of all fibres in the section
   std::array<SectionScale, kFloatStates> pressed{};  ///< where the yarn crosses another, by float state
   SectionScale free;                                 ///< where nothing presses it
@@ -46,20 +47,26 @@ struct YarnGeometry {
   FibreLayout layout = FibreLayout::packed;
   uint64_t seed = 0;
 
-  double cordRadius_mm() const { return plyOrbit_mm + plyRadius_mm; }
-  double diameter_mm() const { return 2.0 * (cordOrbit_mm + cordRadius_mm()); }  ///< round, not pressed
-  int singles() const { return cords * plies; }                                  ///< in the whole section
+  /// Of the plies in their cord, and of the cords in the yarn.
+  PlyShape plyShape() const { return {plies, plyRadius_mm, isWire}; }
+  PlyShape cordShape() const { return {cords, cordRadius_mm(), isWire}; }
+  double cordRadius_mm() const { return plyShape().radius_mm(); }
+  /// Round, not pressed, hairs excluded: what other yarns rest on.
+  double radius_mm() const { return cordShape().radius_mm(); }
+  double diameter_mm() const { return 2 * radius_mm(); }
+  /// Half of its width as one sees it, round, on average: where plies stand out, too.
+  double silhouette_mm() const { return cordShape().silhouette_mm(plyShape().silhouette_mm(plyRadius_mm)); }
+  int singles() const { return cords * plies; }  ///< in the whole section
   /// Signed turns over one period, as the axis of the yarn sees them: of the fibres, and of the plies.
   int fibreSpin() const { return plyTurns + yarnTurns + cableTurns; }
   int plySpin() const { return yarnTurns + cableTurns; }
-  /// Where other yarns rest on the round section, on average as its plies turn: the topmost of n is at (n / pi) sin(pi
-  /// / n) of their orbit.
-  double coreRadius_mm() const;
   /// The section at the end of a float, hairs excluded: of most crossings in most weaves.
   const SectionScale& usual() const { return pressed[1]; }
-  double halfWidth_mm() const { return usual().across * coreRadius_mm(); }
-  double halfHeight_mm() const { return usual().up * coreRadius_mm(); }
-  double highest() const;  ///< factor up of its highest section
+  double halfWidth_mm() const { return usual().across * radius_mm(); }
+  double halfHeight_mm() const { return usual().up * radius_mm(); }
+  /// Factors on the places of its fibres in a section whose outline has these: they lie within by the rim.
+  SectionScale withinOutline(const SectionScale& outline) const;
+  double highest() const;  ///< factor up of its highest section, on its fibres' places
   /// Area of a fibre's section times its density, g per mm of fibre.
   double fibreMass_g_mm() const { return fibreDensity_g_cm3 * 1e-3 * kPi * fibreRadius_mm * fibreRadius_mm; }
   bool operator==(const YarnGeometry&) const = default;
@@ -70,9 +77,9 @@ struct YarnGeometry {
 std::vector<int> geometryClasses(const Fabric& fabric);
 
 /// Section and outline of a yarn; pitch and crossPitch are those of its system. Leaves twists, period, cell length,
-/// fibre count and fibre radius to resolveTwist() and calibration (yarn_model.h), which need the path.
+/// fibre count, fibre radius and rim to resolveTwist() and calibration (yarn_model.h), which need the path.
 /// - ply radius: N fibres of volume fraction phi, N pi r^2 takeUp / phi = pi R^2;
-/// - plies touch: they orbit at R / sin(pi / plies); so do cords;
+/// - plies give way to one another (PlyShape); so do cords;
 /// - sections are those of the law (pressing.h), wider and lower the more readily the yarn flattens. One that is too
 ///   wide for its pitch is squeezed until it touches its neighbours and grows taller, to twice as tall as wide;
 ///   beyond that (absurd setts) it overlaps them. A monofilament stays round;

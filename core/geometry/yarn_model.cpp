@@ -31,12 +31,12 @@ int migrations(const YarnGeometry& g) {
 
 constexpr double kFullest = 0.82;  // what leaves discs in disorder (random close packing)
 
-/// The sections that a yarn has on its way, with halfway between two crossings.
+/// The sections that a yarn's fibres lie in on its way, with halfway between two crossings.
 std::vector<SectionScale> sectionsOf(const YarnGeometry& g) {
   std::vector<SectionScale> sections;
   for (const SectionScale& pressed : g.pressed) {
-    sections.push_back(pressed);
-    sections.push_back(SectionEasing(pressed, pressed, g.free).at(0.5));
+    sections.push_back(g.withinOutline(pressed));
+    sections.push_back(g.withinOutline(SectionEasing(pressed, pressed, g.free).at(0.5)));
   }
   return sections;
 }
@@ -72,21 +72,23 @@ struct PlyLayout {
   int stages() const { return patterns == 0 ? 1 : Migration::kStages * pattern.migrations; }
 };
 
-/// Packed fibres are parted in the usual section, turning in it as they do in the yarn. Cords would turn differently,
-/// and of some yarns the pattern is too long: these are parted round, with the room that they need any way round.
+/// Packed fibres are parted in the usual section, turning in it as they do in the yarn. Plies turn in one another's
+/// company too, and of some yarns the pattern is too long: these are parted round, with the room that they need any way
+/// round.
 PlyLayout layoutOf(const YarnGeometry& g, FibreLayout onTheirWay) {
   constexpr int kMostPlaces = 150'000;
   const int migrating = migrations(g), turns = g.fibreSpin();
   PlyLayout layout;
-  if (onTheirWay == FibreLayout::packed && g.cords == 1 && g.fibresPerPly > 1) {
-    layout.section = g.usual();
+  const SectionScale usual = g.withinOutline(g.usual());
+  if (onTheirWay == FibreLayout::packed && g.singles() == 1 && g.fibresPerPly > 1) {
+    layout.section = usual;
     layout.patterns = std::gcd(migrating, turns);
     if (layout.patterns == 0) return layout;
     layout.pattern = {std::max(1, migrating / layout.patterns), turns / layout.patterns};
     if (layout.stages() * g.fibresPerPly * g.plies <= kMostPlaces) return layout;
   }
-  const double narrowest = std::min(g.usual().up, g.usual().across);
-  return {{narrowest, narrowest}, {}, migrating};
+  const double round = g.singles() > 1 ? std::sqrt(usual.up * usual.across) : std::min(usual.up, usual.across);
+  return {{round, round}, {}, migrating};
 }
 
 /// `sketched`: packed fibres are not parted, which is most of the work.
@@ -99,7 +101,7 @@ void laySections(YarnModel& m, bool sketched, const Task& task) {
   m.patterns = layout.patterns;
   const double pattern_mm = g.period * g.cellLength_mm / std::max(1, m.patterns);
   m.plies.clear();
-  m.bodyReach_mm = 0;
+  m.plyReach_mm = 0;
   for (int ply = 0; ply < g.plies; ++ply) {
     const uint64_t seed = hashCombine(g.seed, ply);
     const DiscCentres section =
@@ -107,8 +109,9 @@ void laySections(YarnModel& m, bool sketched, const Task& task) {
     m.plies.push_back(m.patterns == 0 ? Migration(section)
                                       : Migration(section, onTheirWay, g.migration, fibres, hashCombine(seed, 1), task,
                                                   {g.disorder, pattern_mm, g.plyRadius_mm}, layout.pattern));
-    m.bodyReach_mm = std::max(m.bodyReach_mm, g.cordOrbit_mm + g.plyOrbit_mm + m.plies.back().reach_mm());
+    m.plyReach_mm = std::max(m.plyReach_mm, m.plies.back().reach_mm());
   }
+  m.bodyReach_mm = g.cordShape().reach_mm(g.plyShape().reach_mm(m.plyReach_mm));
 }
 
 void placeLooseFibres(YarnModel& m, double budget_mm) {
@@ -157,18 +160,25 @@ void spin(YarnModel& m) {
 double separationOf(const YarnModel& m) {
   constexpr int kMoments = 8;  // of a pattern
   const YarnGeometry& g = m.geometry;
-  if (g.layout == FibreLayout::packed && g.migration <= 0 && g.disorder <= 0 && !m.source.sketched) return 1;
-  const HelicalFibres fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm), g.usual()};
+  if (g.layout == FibreLayout::packed && g.migration <= 0 && g.disorder <= 0 && g.singles() == 1 && !m.source.sketched)
+    return 1;
+  const SectionScale usual = g.withinOutline(g.usual());
+  const HelicalFibres fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm), usual};
+  const PlyShape shape = g.plyShape();
+  const glm::vec2 middle(static_cast<float>(shape.orbit_mm()), 0);
   double overlap = 0;
   DiscCentres centres(static_cast<size_t>(g.fibresPerPly));
   for (const Migration& ply : m.plies)
     for (int moment = 0; moment < kMoments; ++moment) {
       const Migration::Moment at = ply.at((moment + 0.5) / kMoments);
-      for (int i = 0; i < ply.fibres(); ++i)
-        centres[static_cast<size_t>(i)] = glm::dvec2(ply.moves() ? ply.place(i, at) : ply.place(i));
+      const glm::vec2 inPly = directionOf(moment, kMoments), inYarn = directionOf(3 * moment, kMoments);
+      for (int i = 0; i < ply.fibres(); ++i) {
+        const glm::vec2 place = turned(inPly, ply.moves() ? ply.place(i, at) : ply.place(i));
+        centres[static_cast<size_t>(i)] = turned(inYarn, shape.place(place) - middle);
+      }
       overlap += meanOverlap(centres, fibres) / (kMoments * static_cast<double>(m.plies.size()));
     }
-  const double room = g.plyRadius_mm * g.plyRadius_mm * g.usual().up * g.usual().across;
+  const double room = g.plyRadius_mm * g.plyRadius_mm * usual.up * usual.across;
   const double filled = g.fibresPerPly * g.fibreRadius_mm * g.fibreRadius_mm / room;
   return std::clamp(1 - overlap / filled, 0.0, 1.0);
 }
@@ -227,7 +237,8 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
 
   g.fibreRadius_mm = radius;
   model->patterns = migrations(g);
-  model->bodyReach_mm = 0.5 * g.diameter_mm();
+  model->plyReach_mm = g.plyRadius_mm;
+  model->bodyReach_mm = g.radius_mm();
   placeLooseFibres(*model, kFlyawayShare * area / fibreArea * g.period * g.cellLength_mm);
   const double loose = looseLength_mm(*model) / (g.period * g.cellLength_mm);
   const int limit = fibreLimit(*model);
@@ -236,6 +247,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
   g.fibresPerPly = std::clamp(static_cast<int>(std::lround(std::min(wanted, 1e6))), 1, limit);
 
   const auto lay = [&](bool sketched) {
+    g.rim_mm = g.isWire ? 0.0 : std::min(g.fibreRadius_mm, 0.5 * g.plyRadius_mm);  // as plySection() lays them
     laySections(*model, sketched, task);
     measureStraight(*model);
     if (!source.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));

@@ -34,6 +34,7 @@ struct YarnModel {
   /// random.
   double separation = 1;
   double bodyReach_mm = 0;  ///< furthest of these fibres from the yarn's axis, not pressed
+  double plyReach_mm = 0;   ///< and from the middle of their ply, round
   std::vector<Flyaway> flyaways;
   /// Per phase: the loose fibres near that cell, and the shift in cells that brings them there.
   struct FlyawayUse {

@@ -66,8 +66,7 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
           of.outlines.emplace_back(outlineYarn(withFinish(*yarn, fabric), meanFibre(*yarn, fabric.fibres), pitch,
                                                crossPitch, fabric.press, feltingOf(*yarn, fabric)));
       outline.hairLie = hairLieOf(fabric, system);
-      outline.evenness.crowding =
-          crowdingOf(outline.coreRadius_mm(), outline.halfWidth_mm(), crossPitch, fabric.crowding);
+      outline.evenness.crowding = crowdingOf(outline.radius_mm(), outline.halfWidth_mm(), crossPitch, fabric.crowding);
       // Neighbours move independently of each other, so their distance varies by the root of two more than each does.
       outline.evenness.aside_mm = fabric.settCv_percent / 100 * crossPitch / std::sqrt(2.0);
       outline.seed = mixBits(static_cast<uint64_t>(system));

@@ -14,6 +14,7 @@
 #include "core/geometry/cloth_geometry.h"
 #include "render/scene/fibre_bricks.h"
 #include "render/scene/scene.h"
+#include "tests/support/fibre_pairs.h"
 
 namespace loomlight {
 namespace {
@@ -60,8 +61,7 @@ TEST_P(WardrobeCloths, TurnOutAsTheTradeSays) {
   }
 }
 
-/// Pressed yarns are no narrower than Peirce's round ones. At the widest two plies lie side by side, which makes
-/// them 1.41 times as wide as a round yarn of their count, and a third wider by pressing.
+/// Pressed yarns are no narrower than Peirce's round ones, and no wider than the readiest filaments flatten.
 TEST_P(WardrobeCloths, CoverWhatYarnsOfTheirWidthCan) {
   const ClothComparison of = compareWithTrade(*GetParam());
   const auto coverOfYarns = [&](double width) {
@@ -82,7 +82,7 @@ TEST_P(WardrobeCloths, LeaveAirBetweenTheirFibres) {
     for (int thread = 0; thread < 8; ++thread) {
       const YarnGeometry& yarn = cloth.yarn(system, cloth.key(system, thread, thread).yarn);
       const double fibres_mm2 = 1e-3 * yarn.count_tex / yarn.fibreDensity_g_cm3;
-      const double round_mm2 = kPi * yarn.coreRadius_mm() * yarn.coreRadius_mm();
+      const double round_mm2 = kPi * yarn.radius_mm() * yarn.radius_mm();
       const auto expectRoom = [&](const SectionScale& section) {
         EXPECT_LE(fibres_mm2 / (round_mm2 * section.up * section.across), 0.8) << thread;
       };
@@ -92,6 +92,17 @@ TEST_P(WardrobeCloths, LeaveAirBetweenTheirFibres) {
       }
       expectRoom(SectionEasing(yarn.pressed.front(), yarn.pressed.back(), yarn.free).at(0.5));
     }
+}
+
+/// Of all pairs of a warp and a weft fibre that cross, fewer than one in fifty come closer than one and a half radii,
+/// where fibres that touch are two apart. On average over crossings, of which each is another with plies that turn.
+TEST_P(WardrobeCloths, HaveYarnsThatHardlyRunThroughEachOther) {
+  constexpr int kCrossings = 16;
+  const ClothGeometry cloth(fabricOf(*GetParam()), 64, 64);
+  double share = 0;
+  for (int i = 0; i < kCrossings; ++i)
+    share += test::sharePressedTogether(cloth, 7 * i % 64, 11 * i % 64, 1.5) / kCrossings;
+  EXPECT_LT(share, 0.02);
 }
 
 /// README names the one that has none.

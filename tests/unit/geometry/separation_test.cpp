@@ -39,7 +39,7 @@ TEST(Separation, FallsAsFibresStray) {
     EXPECT_LT(now, before - 0.05) << degrees;
     before = now;
   }
-  EXPECT_LT(before, 0.2);
+  EXPECT_LT(before, 0.25);
 }
 
 TEST(Separation, OfFibresAtRandomIsNearNought) {

@@ -49,8 +49,10 @@ TEST(Twist, PliesTurnAboutTheYarnTheirOwnWay) {
 }
 
 TEST(Twist, BalancedPliesLayTheOuterFibresAlongTheYarn) {
-  // Singles Z, two of them plied S with half their twist: outermost, the spin of a ply and the swing about the yarn
-  // are equal and opposite.
+  // Singles Z, two of them plied S with some four fifths of their twist: outermost, the spin of a ply and the swing
+  // about the yarn are equal and opposite.
+  const Motion outermost = PlyShape(2, 1, false).place(Motion{glm::dvec2(1, 0)}.turning(800));
+  const double balance = outermost.velocity.y / outermost.at.x;
   const auto outerSlope = [](double yarnTwist) {
     const Fabric fabric = straightYarn(800, TwistDirection::z, 2, yarnTwist, TwistDirection::s);
     const ClothGeometry cloth(fabric, 4, 4);
@@ -61,13 +63,13 @@ TEST(Twist, BalancedPliesLayTheOuterFibresAlongTheYarn) {
     for (const CellStrands::Strand& strand : cell.strands)
       for (uint32_t i = strand.first; i + 1 < strand.first + strand.count; ++i) {
         const glm::dvec3 p = cell.points[i], d = glm::dvec3(cell.points[i + 1]) - p;
-        if (std::hypot(p.x, p.z - key.here.height_mm) < 0.8 * yarn.diameter_mm() / 2) continue;
+        if (std::hypot(p.x, p.z - key.here.height_mm) < 0.9 * yarn.diameter_mm() / 2) continue;
         sum += std::hypot(d.x, d.z) / d.y;
         ++count;
       }
     return sum / count;
   };
-  EXPECT_LT(outerSlope(400), 0.35 * outerSlope(0));
+  EXPECT_LT(outerSlope(balance), 0.35 * outerSlope(0));
 }
 
 /// The mean place of the points of some singles, by plane of the cell: the axis of what they make.
@@ -99,20 +101,33 @@ TEST(Twist, CordsPliesAndFibresTurnEachTheirOwnWay) {
   EXPECT_GT(yarn.plyTurns, 0);
   EXPECT_LT(yarn.yarnTurns, 0);
   EXPECT_GT(yarn.cableTurns, 0);
-  EXPECT_NEAR(yarn.cordOrbit_mm, yarn.cordRadius_mm() / std::sin(kPi / 3), 1e-12);
 
+  // How the ply's place in its cord is drawn out by what the cords give way to one another, in the frame of the cord.
+  const PlyShape cords = yarn.cordShape(), plies = yarn.plyShape();
+  const glm::dvec2 middleOfCord = cords.place(glm::vec2(0));
+  const glm::dvec2 drawn(cords.place(glm::vec2(1, 0)).x - middleOfCord.x, cords.place(glm::vec2(0, 1)).y);
+  double plyOrbit = 0;  // of the mean of a ply's places, which is not that of its middle
+  constexpr int kPlaces = 1000;
+  for (int i = 0; i < kPlaces; ++i) {
+    const float radius = static_cast<float>(yarn.plyRadius_mm * std::sqrt((i + 0.5) / kPlaces));
+    plyOrbit += plies.place(radius * directionOf(i * 618 % kPlaces, kPlaces)).x / kPlaces;
+  }
   const YarnCellKey key = cloth.key(System::warp, 0, 0);
   const CellStrands cell = roundStrands(cloth, key);
   const glm::dvec2 middle(key.here.height_mm, 0);
   const double perCell = 1.0 / yarn.period;
   for (int cord = 0; cord < 3; ++cord) {
     const auto cordAt = [&](bool atEnd) { return axisAt(cell, 2 * cord, 2 * cord + 2, atEnd); };
-    EXPECT_NEAR(glm::length(cordAt(false) - middle), yarn.cordOrbit_mm, 0.02 * yarn.cordOrbit_mm);
+    EXPECT_NEAR(glm::length(cordAt(false) - middle), cords.orbit_mm(), 0.02 * cords.orbit_mm());
     EXPECT_NEAR(turnsBetween(cordAt(false) - middle, cordAt(true) - middle), yarn.cableTurns * perCell, 0.01);
     for (int ply = 2 * cord; ply < 2 * cord + 2; ++ply) {
-      const auto plyAt = [&](bool atEnd) { return axisAt(cell, ply, ply + 1, atEnd) - cordAt(atEnd); };
-      EXPECT_NEAR(glm::length(plyAt(false)), yarn.plyOrbit_mm, 0.02 * yarn.plyOrbit_mm);
-      EXPECT_NEAR(turnsBetween(plyAt(false), plyAt(true)), yarn.plySpin() * perCell, 0.01);
+      const auto plyInCord = [&](bool atEnd) {
+        const glm::dvec2 outwards = glm::normalize(cordAt(atEnd) - middle), around(-outwards.y, outwards.x);
+        const glm::dvec2 fromCord = axisAt(cell, ply, ply + 1, atEnd) - cordAt(atEnd);
+        return glm::dvec2(glm::dot(fromCord, outwards), glm::dot(fromCord, around)) / drawn;
+      };
+      EXPECT_NEAR(glm::length(plyInCord(false)), plyOrbit, 0.03 * plyOrbit);
+      EXPECT_NEAR(turnsBetween(plyInCord(false), plyInCord(true)), yarn.yarnTurns * perCell, 0.01);
     }
   }
 }
