@@ -112,26 +112,27 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
   const StationLists at(stations);
   const PlyShape plyShape = g.plyShape(), cordShape = g.cordShape();
 
-  std::vector<glm::vec2> inPly(n), inCord(n), inYarn(n);  // angles of the fibre, its ply and its cord, each in the next
+  std::vector<glm::vec2> inPly(n), inCord(n), inYarn(n);  // directions of the fibre, its ply and its cord
   std::vector<glm::vec2> place(n);                        // up, across
   std::vector<glm::vec3> line(n);
   for (int single = 0; single < g.singles(); ++single) {
     const glm::vec2 cord = directionOf(single / g.plies, g.cords), ply = directionOf(single % g.plies, g.plies);
     for (size_t i = 0; i < n; ++i) {
-      const Station& x = stations[i];
-      const glm::vec2 orbit = turned(ply, glm::vec2(x.orbitCos, x.orbitSin)), cable(x.cableCos, x.cableSin);
-      inPly[i] = turned(backwards(orbit), glm::vec2(x.spinCos, x.spinSin));
-      inCord[i] = turned(backwards(cable), orbit);
-      inYarn[i] = turned(cord, cable);
+      inPly[i] = turned(backwards(ply), stations[i].plyTurn);
+      inCord[i] = turned(ply, stations[i].yarnTurn);
+      inYarn[i] = turned(cord, stations[i].cableTurn);
     }
     const Migration& fibres = yarn.plies[static_cast<size_t>(single % g.plies)];
     for (int fibre = 0; fibre < fibres.fibres(); ++fibre) {
       for (size_t i = 0; i < n; ++i)
         place[i] = fibres.moves() ? fibres.place(fibre, stations[i].migration) : fibres.place(fibre);
+      for (size_t i = 0; i < n; ++i) place[i] = turned(inPly[i], place[i]);
+      if (g.plies > 1)
+        for (size_t i = 0; i < n; ++i) place[i] = turned(inCord[i], plyShape.place(place[i]));
+      if (g.cords > 1)
+        for (size_t i = 0; i < n; ++i) place[i] = turned(inYarn[i], cordShape.place(place[i]));
       for (size_t i = 0; i < n; ++i) {
-        const glm::vec2 fibreInCord = turned(inCord[i], plyShape.place(turned(inPly[i], place[i])));
-        const glm::vec2 fibreAt = turned(inYarn[i], cordShape.place(fibreInCord));
-        const float up = at.upScale[i] * fibreAt.x, across = at.acrossScale[i] * fibreAt.y;
+        const float up = at.upScale[i] * place[i].x, across = at.acrossScale[i] * place[i].y;
         line[i] = {at.aside[i] + across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
       }
       clipper.add(line, static_cast<uint8_t>(single), false);

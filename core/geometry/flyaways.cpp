@@ -50,7 +50,7 @@ void addWrappers(const YarnGeometry& g, double budget_mm, std::vector<Flyaway>& 
     const double cells = std::min(turns * advance / g.cellLength_mm, 0.5 * g.period);
     f.angle = 2 * kPi * random.uniformDouble();
     f.angleSpan = (random.uniformDouble() < 0.5 ? 2 : -2) * kPi * turns;
-    f.root_mm = 0.5 * diameter + g.fibreRadius_mm;
+    f.root_mm = g.reach_mm() + g.fibreRadius_mm;
     f.start = g.period * random.uniformDouble();
     f.end = f.start + cells;
     flyaways.push_back(f);

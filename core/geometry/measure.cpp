@@ -24,12 +24,11 @@ double segmentsOf(const YarnModel& yarn, const YarnCellKey& key) {
 /// that half-way to the crossing before, by its own crossing's, to that half-way to the next.
 double widthShare(const YarnGeometry& yarn, const YarnCellKey& key) {
   constexpr int kSteps = 8;
-  const double round_mm = yarn.silhouette_mm();
   double sum = 0;
   for (const PathNode& other : {key.previous, key.next}) {
     const SectionEasing section({key.here.up, key.here.across}, {other.up, other.across}, yarn.free);
     for (int i = 0; i < kSteps; ++i) {
-      const double width_mm = 2 * section.at(0.5 * (i + 0.5) / kSteps).across * round_mm;
+      const double width_mm = 2 * section.at(0.5 * (i + 0.5) / kSteps).across * yarn.radius_mm;
       sum += std::min(1.0, width_mm / yarn.crossPitch_mm);
     }
   }
@@ -73,7 +72,7 @@ ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>
       mass_g += length * g.count_tex * 1e-6;
       segments += count.cells * segmentsOf(model, key);
       covered += count.cells * widthShare(g, key);
-      const double halfHeight = key.here.up * g.radius_mm();
+      const double halfHeight = key.here.up * g.radius_mm;
       highest = std::max(highest, key.here.height_mm + halfHeight);
       lowest = std::min(lowest, key.here.height_mm - halfHeight);
     }

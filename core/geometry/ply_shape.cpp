@@ -15,18 +15,18 @@ Motion Motion::turning(double rate) const {
   return {at, velocity + rate * quarter(at), acceleration + 2 * rate * quarter(velocity) - rate * rate * at};
 }
 
-PlyShape::PlyShape(int plies, double radius_mm, bool isWire) : radius_(radius_mm), plies_(plies) {
+PlyShape::PlyShape(int plies, double radius_mm, bool areWires) : plies_(plies) {
   if (plies == 1) return;
-  // A guess: filled to the circle (0.71 of two) plied yarns look like ribbons, round (1) they run through others.
+  // A guess: where two fill the circle (0.71) yarns look like ribbons, round ones (1) run through those that they
+  // cross.
   constexpr double kNarrower = 0.8;
-  constexpr double kStandOut = 8.0 / 7;
-  const double narrower = isWire ? 1.0 : kNarrower, cotangent = plies == 2 ? 0.0 : 1 / std::tan(kPi / plies);
+  const double narrower = areWires || plies > 4 ? 1.0 : kNarrower;
+  const double cotangent = plies == 2 ? 0.0 : 1 / std::tan(kPi / plies);
   const double orbit = radius_mm * std::hypot(narrower, cotangent / narrower);
   orbit_ = static_cast<float>(orbit);
   outwards_ = static_cast<float>(narrower);
   around_ = static_cast<float>(1 / narrower);
-  bulge_ = plies == 2 && !isWire ? static_cast<float>(0.5 * narrower / radius_mm) : 0.0f;
-  radius_ = std::max(radius_mm * std::sqrt(static_cast<double>(plies)), (orbit + narrower * radius_mm) / kStandOut);
+  bulge_ = plies == 2 && !areWires ? static_cast<float>(0.5 * narrower / radius_mm) : 0.0f;
 }
 
 Motion PlyShape::place(const Motion& p) const {
@@ -39,7 +39,7 @@ Motion PlyShape::place(const Motion& p) const {
 
 template <class Visit>
 double PlyShape::largestOnRim(double inPly_mm, const Visit& visit) const {
-  constexpr int kSteps = 65;
+  constexpr int kSteps = 49;
   double most = 0;
   for (int i = 0; i < kSteps; ++i) {
     const double angle = kPi * i / (kSteps - 1);  // either side is the other's mirror image
@@ -55,7 +55,7 @@ double PlyShape::reach_mm(double inPly_mm) const {
 
 double PlyShape::silhouette_mm(double inPly_mm) const {
   if (plies_ == 1) return inPly_mm;
-  constexpr int kDirections = 32;
+  constexpr int kDirections = 12;
   double sum = 0;
   for (int i = 0; i < kDirections; ++i) {  // those in which this ply stands out farther than the others
     const double angle = kPi / plies_ * (i + 0.5) / kDirections;

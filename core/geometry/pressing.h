@@ -8,7 +8,8 @@ namespace loomlight {
 /// the same side. 0 where it bends both ways, 1 at the end of a float, 2 inside one.
 inline constexpr int kFloatStates = 3;
 
-/// A yarn's section in the cloth: factors on how far its fibres lie up and across in the round section.
+/// A yarn's section in the cloth: factors on the height and width of the round one. Of its outline, unless it is said
+/// to be of the places of its fibres (YarnGeometry::withinOutline).
 struct SectionScale {
   double up = 1, across = 1;
   bool operator==(const SectionScale&) const = default;

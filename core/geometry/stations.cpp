@@ -47,6 +47,7 @@ class CellStations {
       bend_ = std::max(bend_, stretched * ply.bend_mm());
     }
     twist_ = ratesOfTwist(plyShape, cordShape);
+    shapeBend_ = plyShape.bend_per_mm() + cordShape.bend_per_mm();
     maxTilt_ = std::min(1.0, 0.499 * pitch_mm / std::max(reach, 1e-9));
   }
 
@@ -99,21 +100,19 @@ class CellStations {
   /// Of the outermost fibres, wherever in its ply one starts, and the ply in its cord.
   Rates ratesOfTwist(const PlyShape& plyShape, const PlyShape& cordShape) const {
     const YarnGeometry& g = yarn_.geometry;
-    const auto angles = [](int plies) { return plies > 1 ? 24 : 1; };
-    const auto direction = [](double share) {
-      return glm::dvec2(std::cos(2 * kPi * share), std::sin(2 * kPi * share));
-    };
+    constexpr int kAngles = 24;
+    constexpr double kBetween = 1.02;  // the most between two of the angles, over that at one
+    const int inPly = g.singles() > 1 ? kAngles : 1, inCord = g.plies > 1 && g.cords > 1 ? kAngles : 1;
     Rates most;
-    const int around = std::max(angles(g.plies), angles(g.cords)), about = angles(g.cords);
-    for (int i = 0; i < around; ++i)
-      for (int k = 0; k < about; ++k) {
-        const Motion still{yarn_.plyReach_mm * direction(static_cast<double>(i) / around)};
-        Motion inCord = plyShape.place(still.turning(g.plyTurns)).turning(g.yarnTurns);
-        for (glm::dvec2* const v : {&inCord.at, &inCord.velocity, &inCord.acceleration})
-          *v = turned(direction(static_cast<double>(k) / about), *v);
-        const Motion fibre = cordShape.place(inCord).turning(g.cableTurns);
-        most.slope = std::max(most.slope, glm::length(fibre.velocity));
-        most.bend = std::max(most.bend, glm::length(fibre.acceleration));
+    for (int i = 0; i < inPly; ++i)
+      for (int k = 0; k < inCord; ++k) {
+        const Motion still{yarn_.plyReach_mm * glm::dvec2(directionOf(i, inPly))};
+        Motion ply = plyShape.place(still.turning(g.plyTurns)).turning(g.yarnTurns);
+        for (glm::dvec2* const v : {&ply.at, &ply.velocity, &ply.acceleration})
+          *v = turned(glm::dvec2(directionOf(k, inCord)), *v);
+        const Motion fibre = cordShape.place(ply).turning(g.cableTurns);
+        most.slope = std::max(most.slope, kBetween * glm::length(fibre.velocity));
+        most.bend = std::max(most.bend, kBetween * glm::length(fibre.acceleration));
       }
     return most;
   }
@@ -135,7 +134,8 @@ class CellStations {
     const double spin = turn * (std::abs(g.plyTurns) + std::abs(g.yarnTurns) + std::abs(g.cableTurns));
     const double slope = turn * twist_.slope + wander;
     const double hastened = swing == 0 ? 0.0 : 2 * kPi * std::abs(stretch_.twistSwing()) * cellsPerMm / (g.period - 1);
-    const double bend = turn * turn * twist_.bend + wanderBend + 2 * wander * spin + hastened * slope;
+    const double bend = turn * turn * twist_.bend + wanderBend + 2 * wander * spin + hastened * slope +
+                        shapeBend_ * wander * (wander + 2 * turn * twist_.slope);
     const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
     const double scale = section.largest() * yarn_.thickest();
     const auto [thickSlope, thickBend] = thicknessRates(cellsPerMm);
@@ -197,13 +197,10 @@ class CellStations {
     x.spill_mm = static_cast<float>(1.001 * std::abs(tilt) * reach_);
     x.t = t;
     const double twisted = stretch_.twistAt(t, g.period), turn = 2 * kPi * twisted / g.period;
-    const auto direction = [](double angle, float& cosine, float& sine) {
-      cosine = static_cast<float>(std::cos(angle));
-      sine = static_cast<float>(std::sin(angle));
-    };
-    direction(turn * g.fibreSpin(), x.spinCos, x.spinSin);
-    direction(turn * g.plySpin(), x.orbitCos, x.orbitSin);
-    direction(turn * g.cableTurns, x.cableCos, x.cableSin);
+    const auto direction = [turn](int turns) { return glm::vec2(std::cos(turn * turns), std::sin(turn * turns)); };
+    x.plyTurn = direction(g.plyTurns);
+    if (g.plies > 1) x.yarnTurn = direction(g.yarnTurns);
+    if (g.cords > 1) x.cableTurn = direction(g.cableTurns);
     if (!yarn_.plies.empty()) x.migration = yarn_.plies[0].at(twisted * yarn_.patterns / g.period);
     stations_.push_back(x);
   }
@@ -213,6 +210,7 @@ class CellStations {
   double pitch_, reach_ = 0, maxTilt_ = 1;
   Rates twist_;                  ///< of the outermost fibres as they turn, by the turns of a period, radians
   double slope_ = 0, bend_ = 0;  ///< of the fibres' migration, mm
+  double shapeBend_ = 0;         ///< of plies and cords that give way, per mm
   int maxStations_ = kMaxStations;
   std::vector<Station> stations_;
 };

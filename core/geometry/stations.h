@@ -9,16 +9,15 @@ namespace loomlight {
 
 /// A section of a yarn, where all its fibres have a point: what they share there.
 struct Station {
-  float s_mm = 0, z_mm = 0;          ///< of the axis, in the frame of the cell
-  float aside_mm = 0;                ///< likewise, across the cell from its middle
-  float normalS = 0, normalZ = 1;    ///< direction of "up" in the section
-  float up = 1, across = 1;          ///< factors of the section
-  float crown_mm = 0;                ///< of the axis, above the mid-plane, were it uppermost here and even
-  float lift_mm = 0;                 ///< by which a thick yarn's top lies higher than an even one's
-  float spill_mm = 0;                ///< how far fibres of the body may lie from s along the yarn
-  float spinCos = 1, spinSin = 0;    ///< angle of the plies' sections, all twists
-  float orbitCos = 1, orbitSin = 0;  ///< angle of the plies about their cord's axis
-  float cableCos = 1, cableSin = 0;  ///< angle of the cords about the yarn's axis
+  float s_mm = 0, z_mm = 0;        ///< of the axis, in the frame of the cell
+  float aside_mm = 0;              ///< likewise, across the cell from its middle
+  float normalS = 0, normalZ = 1;  ///< direction of "up" in the section
+  float up = 1, across = 1;        ///< factors on the places of its fibres
+  float crown_mm = 0;              ///< of the axis, above the mid-plane, were it uppermost here and even
+  float lift_mm = 0;               ///< by which a thick yarn's top lies higher than an even one's
+  float spill_mm = 0;              ///< how far fibres of the body may lie from s along the yarn
+  /// Directions that the turns have come to: of fibres in their ply, of plies in their cord, of cords in the yarn.
+  glm::vec2 plyTurn{1, 0}, yarnTurn{1, 0}, cableTurn{1, 0};
   Migration::Moment migration;
   double t = 0;  ///< cells from the start of the period
 };

@@ -31,11 +31,19 @@ Twist possibleTwist(const YarnGeometry& g, const Yarn& yarn, double cellLength_m
   const Twist twist = nominalTwist(yarn);
   const double ply = std::abs(twist.ply_per_mm), plies = std::abs(twist.yarn_per_mm),
                cords = std::abs(twist.cable_per_mm);
-  const double tangent = 2 * kPi * (ply * g.plyRadius_mm + plies * g.cordRadius_mm() + cords * g.radius_mm());
+  const double tangent = 2 * kPi * (ply * g.plyRadius_mm + plies * g.cordRadius_mm + cords * g.radius_mm);
   const double turns = (ply + plies + cords) * cellLength_mm;
   const double scale =
       std::min({1.0, kMaxHelixTangent / std::max(tangent, 1e-9), kMaxTurnsPerCell / std::max(turns, 1e-9)});
   return {twist.ply_per_mm * scale, twist.yarn_per_mm * scale, twist.cable_per_mm * scale};
+}
+
+/// Sets the ply's radius, and what it makes of the cords' and the yarn's.
+void setPlyRadius(YarnGeometry& g, double radius_mm) {
+  g.plyRadius_mm = radius_mm;
+  // Cords of spun yarn press into one another where their plies stand out; wires cannot.
+  g.cordRadius_mm = g.monofilament ? g.plyShape().reach_mm(radius_mm) : g.plyShape().silhouette_mm(radius_mm);
+  g.radius_mm = g.cordShape().silhouette_mm(g.cordRadius_mm);
 }
 
 /// Ply radius: from the count directly; from a number of fibres through their take-up, which depends on the radius.
@@ -47,7 +55,7 @@ double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre)
   YarnGeometry trial = g;
   double takeUp = 1;
   for (int i = 0; i < 20; ++i) {
-    trial.plyRadius_mm = r * std::sqrt(*yarn.fibresPerPly * takeUp / yarn.packing);
+    setPlyRadius(trial, r * std::sqrt(*yarn.fibresPerPly * takeUp / yarn.packing));
     takeUp = estimateTakeUp(trial, possibleTwist(trial, yarn, 0));
   }
   return trial.plyRadius_mm;
@@ -57,7 +65,7 @@ double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre)
 /// goes up with it.
 void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
   constexpr double kTallest = 2;  // over its width
-  const double radius = g.radius_mm(), area = section.up * section.across;
+  const double radius = g.radius_mm, area = section.up * section.across;
   const double widest = std::max(0.5 * g.crossPitch_mm / radius, std::sqrt(area / kTallest));
   const double across = std::min({section.across, widest, 1.3 * g.crossPitch_mm / radius});
   const double up = std::min(area / across, std::max(section.up, kTallest * across));
@@ -68,17 +76,17 @@ void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
 void pressSections(YarnGeometry& g, const Yarn& yarn, double press, double felting) {
   constexpr double kUsualFlattening = 1.2;  // of the yarns that the law was found for
   constexpr SectionScale kFree = {0.92, 0.97};
-  const bool rigid = g.isWire;
-  // Many plies leave gaps between them: as high as a single of their area, they are wider by what they keep.
+  const bool rigid = g.monofilament;
+  // As high as a single of their area, plies are wider by what gaps between them they keep.
   const double single = g.plyRadius_mm * std::sqrt(static_cast<double>(g.singles()));
-  const double flatter = rigid ? 1.0 : std::sqrt(yarn.flattening / kUsualFlattening) * g.radius_mm() / single;
+  const double flatter = rigid ? 1.0 : std::sqrt(yarn.flattening / kUsualFlattening) * g.radius_mm / single;
   const double closer = rigid ? 1.0 : std::sqrt(yarn.packing / packingAtCrossings(yarn.packing, felting));
   for (int state = 0; state < kFloatStates; ++state) {
     const Yielding yielding = rigid ? Yielding{} : yieldingOf(press, yarn.packing, state);
     SectionScale& section = g.pressed[static_cast<size_t>(state)];
     double& rest_mm = g.rest_mm[static_cast<size_t>(state)];
     section = {yielding.section.up * closer / flatter, yielding.section.across * closer * flatter};
-    rest_mm = yielding.apart * closer / flatter * g.radius_mm();
+    rest_mm = yielding.apart * closer / flatter * g.radius_mm;
     if (!rigid) fit(g, section, rest_mm);
   }
   double unused = 0;
@@ -100,9 +108,8 @@ Evenness evennessOf(const Yarn& yarn) {
 }  // namespace
 
 SectionScale YarnGeometry::withinOutline(const SectionScale& outline) const {
-  const double radius = radius_mm();
-  const auto within = [&](double factor) {
-    return std::max(0.5 * factor, (factor * radius - rim_mm) / (radius - rim_mm));
+  const auto within = [this](double factor) {
+    return std::max(0.5 * factor, (factor * radius_mm - rim_mm) / (radius_mm - rim_mm));
   };
   return {within(outline.up), within(outline.across)};
 }
@@ -134,7 +141,8 @@ double estimateTakeUp(const YarnGeometry& g, const Twist& twist) {
   const double cords = 2 * kPi * twist.cable_per_mm;
   const double plies = cords + 2 * kPi * twist.yarn_per_mm;
   const double fibres = plies + 2 * kPi * twist.ply_per_mm;
-  // Over all fibres the three circular motions are independent.
+  // Over all fibres the three circular motions are independent. That plies are not quite round is neglected: what is
+  // laid is measured.
   return std::sqrt(1 + 0.5 * square(fibres * g.plyRadius_mm) + square(plies * g.plyShape().orbit_mm()) +
                    square(cords * g.cordShape().orbit_mm()));
 }
@@ -144,7 +152,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   YarnGeometry g;
   g.cords = yarn.cords;
   g.plies = yarn.plies;
-  g.isWire = isMonofilament(yarn);
+  g.monofilament = isMonofilament(yarn);
   g.fibreDensity_g_cm3 = fibre.density_g_cm3;
   g.pitch_mm = pitch_mm;
   g.crossPitch_mm = crossPitch_mm;
@@ -152,11 +160,11 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.disorder = std::tan(yarn.fibreDisorder_deg * kPi / 180);
   g.hairiness_per_mm = yarn.hairiness_per_mm;
   g.hairLength_mm = yarn.hairiness_per_mm > 0 ? yarn.hairLength_mm : 0.0;
-  g.wrappers_per_mm = g.isWire ? 0.0 : 0.1 * yarn.wrappers_per_cm;
+  g.wrappers_per_mm = g.monofilament ? 0.0 : 0.1 * yarn.wrappers_per_cm;
   g.evenness = evennessOf(yarn);
   g.layout = yarn.layout;
-  g.plyRadius_mm = plyRadius_mm(g, yarn, fibre);
-  g.fibreArea_mm2 = (g.isWire ? 1.0 : yarn.packing) * g.singles() * kPi * g.plyRadius_mm * g.plyRadius_mm;
+  setPlyRadius(g, plyRadius_mm(g, yarn, fibre));
+  g.fibreArea_mm2 = (g.monofilament ? 1.0 : yarn.packing) * g.singles() * kPi * g.plyRadius_mm * g.plyRadius_mm;
   pressSections(g, yarn, press, felting);
   return g;
 }
@@ -175,8 +183,8 @@ void resolveTwist(YarnGeometry& g, const Yarn& yarn, double cellLength_mm) {
     };
     const double error =
         2 * kPi *
-        std::max({error_mm(twist.ply_per_mm, g.plyRadius_mm), error_mm(twist.yarn_per_mm, g.cordRadius_mm()),
-                  error_mm(twist.cable_per_mm, g.radius_mm())});
+        std::max({error_mm(twist.ply_per_mm, g.plyRadius_mm), error_mm(twist.yarn_per_mm, g.cordRadius_mm),
+                  error_mm(twist.cable_per_mm, g.radius_mm)});
     if (best >= 0 && error >= best) continue;
     best = error;
     g.period = period;

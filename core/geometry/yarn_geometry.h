@@ -25,8 +25,10 @@ struct YarnGeometry {
   double fibreDensity_g_cm3 = 0;
   double count_tex = 0;      ///< of the yarn as it lies in the cloth, take-up of its twists and loose hairs included
   double plyRadius_mm = 0;   ///< holds the fibres' volume at the yarn's packing
-  bool isWire = false;       ///< one fibre a ply: nothing presses it
-  double fibreArea_mm2 = 0;  ///< of all fibres in the section
+  double cordRadius_mm = 0;  ///< of a cord, as cords see one another; of a single ply, the ply's
+  double radius_mm = 0;      ///< round, hairs excluded: what others rest on, on average as plies turn
+  bool monofilament = false;
+  double fibreArea_mm2 = 0;                          ///< of all fibres in the section
   std::array<SectionScale, kFloatStates> pressed{};  ///< where the yarn crosses another, by float state
   SectionScale free;                                 ///< where nothing presses it
   std::array<double, kFloatStates> rest_mm{};        ///< its part of the distance of the axes there
@@ -48,23 +50,20 @@ struct YarnGeometry {
   uint64_t seed = 0;
 
   /// Of the plies in their cord, and of the cords in the yarn.
-  PlyShape plyShape() const { return {plies, plyRadius_mm, isWire}; }
-  PlyShape cordShape() const { return {cords, cordRadius_mm(), isWire}; }
-  double cordRadius_mm() const { return plyShape().radius_mm(); }
-  /// Round, not pressed, hairs excluded: what other yarns rest on.
-  double radius_mm() const { return cordShape().radius_mm(); }
-  double diameter_mm() const { return 2 * radius_mm(); }
-  /// Half of its width as one sees it, round, on average: where plies stand out, too.
-  double silhouette_mm() const { return cordShape().silhouette_mm(plyShape().silhouette_mm(plyRadius_mm)); }
+  PlyShape plyShape() const { return {plies, plyRadius_mm, monofilament}; }
+  PlyShape cordShape() const { return {cords, cordRadius_mm, monofilament}; }
+  double diameter_mm() const { return 2 * radius_mm; }
+  /// Farthest that its plies stand out, round.
+  double reach_mm() const { return cordShape().reach_mm(plyShape().reach_mm(plyRadius_mm)); }
   int singles() const { return cords * plies; }  ///< in the whole section
-  /// Signed turns over one period, as the axis of the yarn sees them: of the fibres, and of the plies.
+  /// Signed turns of the fibres over one period, as the axis of the yarn sees them.
   int fibreSpin() const { return plyTurns + yarnTurns + cableTurns; }
-  int plySpin() const { return yarnTurns + cableTurns; }
   /// The section at the end of a float, hairs excluded: of most crossings in most weaves.
   const SectionScale& usual() const { return pressed[1]; }
-  double halfWidth_mm() const { return usual().across * radius_mm(); }
-  double halfHeight_mm() const { return usual().up * radius_mm(); }
-  /// Factors on the places of its fibres in a section whose outline has these: they lie within by the rim.
+  double halfWidth_mm() const { return usual().across * radius_mm; }
+  double halfHeight_mm() const { return usual().up * radius_mm; }
+  /// Factors on the places of its fibres in a section whose outline has these: they lie within by the rim, unless that
+  /// would halve them.
   SectionScale withinOutline(const SectionScale& outline) const;
   double highest() const;  ///< factor up of its highest section, on its fibres' places
   /// Area of a fibre's section times its density, g per mm of fibre.

@@ -72,9 +72,9 @@ struct PlyLayout {
   int stages() const { return patterns == 0 ? 1 : Migration::kStages * pattern.migrations; }
 };
 
-/// Packed fibres are parted in the usual section, turning in it as they do in the yarn. Plies turn in one another's
-/// company too, and of some yarns the pattern is too long: these are parted round, with the room that they need any way
-/// round.
+/// Packed fibres are parted in the usual section, turning in it as they do in the yarn. Where the pattern is too long
+/// they are parted round, with the room that they need any way round. So are those of plies, which turn differently,
+/// with the room that the section leaves: plies that grow would stand into other yarns.
 PlyLayout layoutOf(const YarnGeometry& g, FibreLayout onTheirWay) {
   constexpr int kMostPlaces = 150'000;
   const int migrating = migrations(g), turns = g.fibreSpin();
@@ -85,7 +85,7 @@ PlyLayout layoutOf(const YarnGeometry& g, FibreLayout onTheirWay) {
     layout.patterns = std::gcd(migrating, turns);
     if (layout.patterns == 0) return layout;
     layout.pattern = {std::max(1, migrating / layout.patterns), turns / layout.patterns};
-    if (layout.stages() * g.fibresPerPly * g.plies <= kMostPlaces) return layout;
+    if (layout.stages() * g.fibresPerPly <= kMostPlaces) return layout;
   }
   const double round = g.singles() > 1 ? std::sqrt(usual.up * usual.across) : std::min(usual.up, usual.across);
   return {{round, round}, {}, migrating};
@@ -130,7 +130,7 @@ double looseLength_mm(const YarnModel& m) {
   double total = 0;
   for (const Flyaway& f : m.flyaways) {
     const int steps = 16 + static_cast<int>(2 * std::abs(f.angleSpan));  // six to a turn, and a few
-    const AxisPosition straight{0, 0, 0, m.geometry.usual()};
+    const AxisPosition straight{0, 0, 0, m.geometry.withinOutline(m.geometry.usual())};
     for (int i = 0; i < steps; ++i) {
       const auto at = [&](int k) { return f.start + (f.end - f.start) * k / steps; };
       const glm::dvec2 d =
@@ -155,8 +155,9 @@ void spin(YarnModel& m) {
   m.spool = g.evenness.isEven() ? nullptr : std::make_shared<Spool>(g.evenness, g.period, g.cellLength_mm, g.seed);
 }
 
-/// YarnModel::separation. Packed fibres that keep their places lie in order, and touch: that their gaps are alike makes
-/// up for what they overlap where they touch (a dense satin lets through up to 25 % too much if it is counted).
+/// YarnModel::separation, of the fibres of a ply as its neighbours flatten it. Packed fibres that keep their places lie
+/// in order, and touch: that their gaps are alike makes up for what they overlap where they touch (a dense satin lets
+/// through up to 25 % too much if it is counted).
 double separationOf(const YarnModel& m) {
   constexpr int kMoments = 8;  // of a pattern
   const YarnGeometry& g = m.geometry;
@@ -238,7 +239,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
   g.fibreRadius_mm = radius;
   model->patterns = migrations(g);
   model->plyReach_mm = g.plyRadius_mm;
-  model->bodyReach_mm = g.radius_mm();
+  model->bodyReach_mm = g.reach_mm();
   placeLooseFibres(*model, kFlyawayShare * area / fibreArea * g.period * g.cellLength_mm);
   const double loose = looseLength_mm(*model) / (g.period * g.cellLength_mm);
   const int limit = fibreLimit(*model);
@@ -247,7 +248,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
   g.fibresPerPly = std::clamp(static_cast<int>(std::lround(std::min(wanted, 1e6))), 1, limit);
 
   const auto lay = [&](bool sketched) {
-    g.rim_mm = g.isWire ? 0.0 : std::min(g.fibreRadius_mm, 0.5 * g.plyRadius_mm);  // as plySection() lays them
+    g.rim_mm = g.monofilament ? 0.0 : std::min(g.fibreRadius_mm, 0.5 * g.plyRadius_mm);
     laySections(*model, sketched, task);
     measureStraight(*model);
     if (!source.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));

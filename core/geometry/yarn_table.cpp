@@ -66,7 +66,7 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
           of.outlines.emplace_back(outlineYarn(withFinish(*yarn, fabric), meanFibre(*yarn, fabric.fibres), pitch,
                                                crossPitch, fabric.press, feltingOf(*yarn, fabric)));
       outline.hairLie = hairLieOf(fabric, system);
-      outline.evenness.crowding = crowdingOf(outline.radius_mm(), outline.halfWidth_mm(), crossPitch, fabric.crowding);
+      outline.evenness.crowding = crowdingOf(outline.radius_mm, outline.halfWidth_mm(), crossPitch, fabric.crowding);
       // Neighbours move independently of each other, so their distance varies by the root of two more than each does.
       outline.evenness.aside_mm = fabric.settCv_percent / 100 * crossPitch / std::sqrt(2.0);
       outline.seed = mixBits(static_cast<uint64_t>(system));
@@ -121,7 +121,7 @@ void YarnTable::findThickness() {
 double YarnTable::minYarnDiameter_mm() const {
   double least = std::numeric_limits<double>::max();
   for (const SystemYarns& system : systems_)
-    for (const int own : system.classes) least = std::min(least, system.models[own]->geometry.diameter_mm());
+    for (const int own : system.classes) least = std::min(least, 2 * system.models[own]->geometry.reach_mm());
   return least;
 }
 

@@ -35,7 +35,7 @@ class YarnTable {
   double weftPitch_mm() const { return weftPitch_mm_; }
   /// All fibres, hairs too, lie in |z| <= this.
   double halfThickness_mm() const { return halfThickness_mm_; }
-  double minYarnDiameter_mm() const;  ///< of the yarns that the cloth uses
+  double minYarnDiameter_mm() const;  ///< of the yarns that the cloth uses, round, as far as their plies stand out
   double minFibreRadius_mm() const;   ///< of the yarns that the cloth uses
 
   /// Index into Fabric::yarns of an end or a pick; any integer.

@@ -36,12 +36,14 @@ inline std::vector<FibrePoint> pointsOf(const ClothGeometry& cloth, System syste
   return points;
 }
 
-/// Of all pairs of a warp and a weft fibre in a crossing, the share that come closer than so many fibre radii.
+/// Of all pairs of a warp and a weft fibre in a crossing, the share that come closer than so many fibre radii, of which
+/// one is the mean of both.
 inline double sharePressedTogether(const ClothGeometry& cloth, int pick, int end, double radii) {
   size_t warpFibres = 0, weftFibres = 0;
   const auto warp = pointsOf(cloth, System::warp, pick, end, warpFibres);
   const auto weft = pointsOf(cloth, System::weft, pick, end, weftFibres);
-  const double near_mm = radii * cloth.yarns().minFibreRadius_mm();
+  const auto fibreRadius_mm = [&](System system) { return cloth.strands(cloth.key(system, pick, end)).fibreRadius_mm; };
+  const double near_mm = radii * 0.5 * (fibreRadius_mm(System::warp) + fibreRadius_mm(System::weft));
   const auto bucketOf = [near_mm](glm::vec3 p) { return glm::ivec3(glm::floor(glm::dvec3(p) / near_mm)); };
   const auto name = [](glm::ivec3 b) { return std::tuple(b.x, b.y, b.z); };
   std::map<std::tuple<int, int, int>, std::vector<FibrePoint>> buckets;

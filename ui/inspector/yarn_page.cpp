@@ -48,8 +48,7 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
   return withYarn(fabric, index, preset.yarn, dyedLike(preset.fibre, old));
 }
 
-/// Of the yarn as its section is drawn, with the air between plies and flattened as in the cloth; its diameter until
-/// that is known.
+/// Of the yarn as its section is drawn, flattened as in the cloth; its diameter until that is known.
 std::string sizeText(const YarnSection* section, double diameter_mm) {
   const std::string wide = fmt::format("{:.2f}", section ? 2 * section->halfWidth_mm : diameter_mm);
   const std::string high = section ? fmt::format("{:.2f}", 2 * section->halfHeight_mm) : wide;

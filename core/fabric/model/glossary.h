@@ -185,7 +185,7 @@ inline constexpr Word crowding{
     "Crowding",
     "How far threads that float side by side draw together, away from the neighbour that a crossing thread parts them "
     "from. It closes up the pairs of an oxford or a hopsack, makes twill lines plainer, and does nothing to plain "
-    "weave. Ribs also crimp as they do where it is above 0. 0 evenly apart; 1 as far as relaxed yarns go, where there "
+    "weave. Above 0 ribs crimp as real ones do. 0 evenly apart; 1 as far as relaxed yarns go, where there "
     "is room. A large pattern takes much longer to prepare with it."};
 inline constexpr Word press{"Pressing",
                             "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and "

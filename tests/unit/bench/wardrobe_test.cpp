@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/bench/studies/wardrobe_study.h"
+#include "core/base/random.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/long_floats.h"
@@ -61,7 +62,8 @@ TEST_P(WardrobeCloths, TurnOutAsTheTradeSays) {
   }
 }
 
-/// Pressed yarns are no narrower than Peirce's round ones, and no wider than the readiest filaments flatten.
+/// Pressed yarns are no narrower than Peirce's round ones, and no wider than those that flatten most readily: 1.39
+/// times at the usual readiness of 1.2, and with the root of it.
 TEST_P(WardrobeCloths, CoverWhatYarnsOfTheirWidthCan) {
   const ClothComparison of = compareWithTrade(*GetParam());
   const auto coverOfYarns = [&](double width) {
@@ -70,7 +72,13 @@ TEST_P(WardrobeCloths, CoverWhatYarnsOfTheirWidthCan) {
   };
   EXPECT_NEAR(coverOfYarns(1), of.round.fraction, 1e-12);
   EXPECT_GE(of.ours.cover, coverOfYarns(1));
-  EXPECT_LE(of.ours.cover, coverOfYarns(1.9));
+  const Fabric fabric = fabricOf(*GetParam());
+  double widest = 0;
+  for (const Yarn& yarn : fabric.yarns) {
+    const double density_g_cm3 = yarn.packing * meanFibre(yarn, fabric.fibres).density_g_cm3;
+    widest = std::max(widest, 1.39 * std::sqrt(yarn.flattening / 1.2 * 0.91 / density_g_cm3));
+  }
+  EXPECT_LE(of.ours.cover, coverOfYarns(widest));
 }
 
 /// Threads in disorder lie no closer together than 0.82; yarns of cloth, wherever they go, leave more air. Jammed ones
@@ -82,7 +90,7 @@ TEST_P(WardrobeCloths, LeaveAirBetweenTheirFibres) {
     for (int thread = 0; thread < 8; ++thread) {
       const YarnGeometry& yarn = cloth.yarn(system, cloth.key(system, thread, thread).yarn);
       const double fibres_mm2 = 1e-3 * yarn.count_tex / yarn.fibreDensity_g_cm3;
-      const double round_mm2 = kPi * yarn.radius_mm() * yarn.radius_mm();
+      const double round_mm2 = kPi * yarn.radius_mm * yarn.radius_mm;
       const auto expectRoom = [&](const SectionScale& section) {
         EXPECT_LE(fibres_mm2 / (round_mm2 * section.up * section.across), 0.8) << thread;
       };
@@ -95,14 +103,20 @@ TEST_P(WardrobeCloths, LeaveAirBetweenTheirFibres) {
 }
 
 /// Of all pairs of a warp and a weft fibre that cross, fewer than one in fifty come closer than one and a half radii,
-/// where fibres that touch are two apart. On average over crossings, of which each is another with plies that turn.
+/// where fibres that touch are two apart; but yarns do rest on each other. On average over crossings of all kinds:
+/// plies stand up at some and lie side by side at others.
 TEST_P(WardrobeCloths, HaveYarnsThatHardlyRunThroughEachOther) {
   constexpr int kCrossings = 16;
   const ClothGeometry cloth(fabricOf(*GetParam()), 64, 64);
-  double share = 0;
-  for (int i = 0; i < kCrossings; ++i)
-    share += test::sharePressedTogether(cloth, 7 * i % 64, 11 * i % 64, 1.5) / kCrossings;
-  EXPECT_LT(share, 0.02);
+  Random random(3);
+  double pressed = 0, touching = 0;
+  for (int i = 0; i < kCrossings; ++i) {
+    const int pick = static_cast<int>(64 * random.uniformDouble()), end = static_cast<int>(64 * random.uniformDouble());
+    pressed += test::sharePressedTogether(cloth, pick, end, 1.5) / kCrossings;
+    touching += test::sharePressedTogether(cloth, pick, end, 3) / kCrossings;
+  }
+  EXPECT_LT(pressed, 0.02);
+  EXPECT_GT(touching, 0);
 }
 
 /// README names the one that has none.

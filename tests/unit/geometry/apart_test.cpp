@@ -13,7 +13,11 @@ TEST(YarnsOfBothSystems, HardlyRunThroughEachOther) {
   milled.name = "milled";
   milled.milling = 1;
   milled.yarns[0].hairiness_per_mm = 5;
-  for (const Fabric& fabric : {cloths::plain(), cloths::twill(), cloths::pliedSatin(), milled}) {
+  Fabric threefold = cloths::pliedSatin();
+  threefold.name = "three plies";
+  for (Yarn& yarn : threefold.yarns) yarn.plies = 3;
+  for (const Fabric& fabric :
+       {cloths::plain(), cloths::twill(), cloths::pliedSatin(), threefold, cloths::cabled(), milled}) {
     SCOPED_TRACE(fabric.name);
     const ClothGeometry cloth(fabric, 4, 4);
     EXPECT_LT(test::sharePressedTogether(cloth, 1, 2, 1.5), 0.02);

@@ -54,7 +54,7 @@ TEST(Cover, OfPlainClothIsOfTheWidthThatItsYarnsHave) {
     EXPECT_GT(yarn.pressed[0].across, 1.005 * yarn.pressed[1].across);
     // Half of the way between two crossings a quarter of the width is that of the free yarn, an eighth on average.
     const double across = yarn.pressed[0].across + 0.125 * (yarn.free.across - yarn.pressed[0].across);
-    return 2 * across * yarn.radius_mm() / yarn.crossPitch_mm;
+    return 2 * across * yarn.radius_mm / yarn.crossPitch_mm;
   };
   const double warp = share(System::warp), weft = share(System::weft);
   EXPECT_NEAR(cloth.measure().cover, warp + weft - warp * weft, 1e-5);

@@ -94,7 +94,7 @@ TEST(Crowding, DrawsThreadsTogetherThatFloatSideBySide) {
   for (const System system : {System::warp, System::weft})
     for (int across = 0; across < 4; ++across) {
       const double aside = middle_mm(crowded, system, across, 1) - middle_mm(even, system, across, 1);
-      const double radius = crowded.yarn(system, 0).radius_mm();
+      const double radius = crowded.yarn(system, 0).radius_mm;
       EXPECT_GT(across % 2 == 0 ? aside : -aside, 0.1 * radius) << "to the other of its pair";
     }
 }

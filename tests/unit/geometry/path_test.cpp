@@ -18,8 +18,8 @@ TEST(YarnPath, YarnsRestOnEachOtherWhereTheyCross) {
     for (int pick = 0; pick < cloth.repeatPicks(); ++pick)
       for (int end = 0; end < cloth.repeatEnds(); ++end) {
         const YarnCellKey warp = cloth.key(System::warp, pick, end), weft = cloth.key(System::weft, pick, end);
-        const double warpHigh = warp.here.up * cloth.yarn(System::warp, warp.yarn).radius_mm();
-        const double weftHigh = weft.here.up * cloth.yarn(System::weft, weft.yarn).radius_mm();
+        const double warpHigh = warp.here.up * cloth.yarn(System::warp, warp.yarn).radius_mm;
+        const double weftHigh = weft.here.up * cloth.yarn(System::weft, weft.yarn).radius_mm;
         const double apart = std::abs(warp.here.height_mm - weft.here.height_mm);
         // Where their float states differ, each keeps the height of its own. Inside a float yarns rise further.
         ASSERT_GT(apart, 0.93 * (warpHigh + weftHigh)) << pick << ", " << end;

@@ -29,13 +29,23 @@ void forEachPlace(const Visit& visit) {
 TEST(PlyShape, OfASingleLeavesPlacesAsTheyAre) {
   const PlyShape shape(1, kRadius, false);
   EXPECT_EQ(shape.place(glm::vec2(0.03f, -0.05f)), glm::vec2(0.03f, -0.05f));
-  EXPECT_EQ(shape.radius_mm(), kRadius);
   EXPECT_EQ(shape.reach_mm(0.05), 0.05);
+  EXPECT_EQ(shape.silhouette_mm(0.05), 0.05);
+}
+
+TEST(PlyShape, PlacesWhatMovesWhereItPlacesWhatRests) {
+  for (const bool areWires : {false, true})
+    for (int plies = 2; plies <= 8; ++plies) {
+      const PlyShape shape(plies, kRadius, areWires);
+      forEachPlace([&](glm::dvec2 p) {
+        EXPECT_LT(glm::distance(placed(shape, p), glm::dvec2(shape.place(glm::vec2(p)))), 1e-6 * kRadius);
+      });
+    }
 }
 
 TEST(PlyShape, KeepsAreas) {
   constexpr double kStep = 1e-4 * kRadius;
-  for (const int plies : {2, 3, 4, 6}) {
+  for (int plies = 2; plies <= 8; ++plies) {
     const PlyShape shape(plies, kRadius, false);
     forEachPlace([&](glm::dvec2 p) {
       const glm::dvec2 x = placed(shape, p + glm::dvec2(kStep, 0)) - placed(shape, p - glm::dvec2(kStep, 0));
@@ -47,9 +57,9 @@ TEST(PlyShape, KeepsAreas) {
 
 // Nothing of a ply lies beyond the planes that part it from those beside.
 TEST(PlyShape, PliesTouchAndDoNotRunThroughOneAnother) {
-  for (const bool isWire : {false, true})
-    for (const int plies : {2, 3, 4, 6}) {
-      const PlyShape shape(plies, kRadius, isWire);
+  for (const bool areWires : {false, true})
+    for (int plies = 2; plies <= 8; ++plies) {
+      const PlyShape shape(plies, kRadius, areWires);
       double least = kRadius;
       forEachPlace([&](glm::dvec2 p) {
         const glm::dvec2 at = placed(shape, p);
@@ -61,22 +71,23 @@ TEST(PlyShape, PliesTouchAndDoNotRunThroughOneAnother) {
     }
 }
 
-TEST(PlyShape, OfTwoAndThreeFillsTheSingleOfTheirArea) {
-  for (const int plies : {2, 3}) {
-    const PlyShape shape(plies, kRadius, false);
-    EXPECT_NEAR(shape.radius_mm(), std::sqrt(static_cast<double>(plies)) * kRadius, 1e-12);
-    EXPECT_LT(shape.reach_mm(kRadius), 8.0 / 7 * shape.radius_mm());
+// But not than a single of all their fibres.
+TEST(PlyShape, PliesThatGiveWayAreSmallerThanRoundOnes) {
+  for (int plies = 2; plies <= 8; ++plies) {
+    const PlyShape shape(plies, kRadius, false), round(plies, kRadius, true);
+    EXPECT_LE(shape.reach_mm(kRadius), round.reach_mm(kRadius)) << plies;
+    EXPECT_LE(shape.silhouette_mm(kRadius), round.silhouette_mm(kRadius)) << plies;
+    EXPECT_GT(shape.silhouette_mm(kRadius), std::sqrt(static_cast<double>(plies)) * kRadius) << plies;
+    EXPECT_LT(shape.silhouette_mm(kRadius), shape.reach_mm(kRadius)) << plies;
   }
+  EXPECT_LT(PlyShape(2, kRadius, false).silhouette_mm(kRadius), 1.03 * std::sqrt(2.0) * kRadius);
 }
 
-// Two circles side by side, one of them seen from above as they turn: 1 + 2 / pi radii on average.
-TEST(PlyShape, IsSeenAsWideAsItsPliesStandOut) {
-  EXPECT_NEAR(PlyShape(2, kRadius, true).silhouette_mm(kRadius), (1 + 2 / kPi) * kRadius, 1e-3 * kRadius);
-  for (const int plies : {2, 3, 5}) {
-    const PlyShape shape(plies, kRadius, false);
-    EXPECT_GT(shape.silhouette_mm(kRadius), shape.radius_mm());
-    EXPECT_LT(shape.silhouette_mm(kRadius), shape.reach_mm(kRadius));
-  }
+// Circles side by side, seen from a side as they turn: a radius, and the mean of what the middle of the topmost of n
+// stands up, which is n / pi sin(pi / n) of the orbit.
+TEST(PlyShape, OfWiresIsSeenAsWideAsCirclesAre) {
+  for (int plies = 2; plies <= 8; ++plies)
+    EXPECT_NEAR(PlyShape(plies, kRadius, true).silhouette_mm(kRadius), (1 + plies / kPi) * kRadius, 0.005 * kRadius);
 }
 
 // The side that faces the other ply is flat over most of its width, where an ellipse would leave a gap.

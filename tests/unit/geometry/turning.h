@@ -14,7 +14,7 @@ inline CellStrands roundStrands(const ClothGeometry& cloth, const YarnCellKey& k
   const SectionEasing easing(node, node, yarn.free);
   CellStrands cell = cloth.strands(key);
   for (glm::vec3& p : cell.points) {
-    const SectionScale section = easing.at(std::abs(p.y) / yarn.pitch_mm);
+    const SectionScale section = yarn.withinOutline(easing.at(std::abs(p.y) / yarn.pitch_mm));
     p.x /= static_cast<float>(section.across);
     p.z = key.here.height_mm + (p.z - key.here.height_mm) / static_cast<float>(section.up);
   }
