@@ -276,7 +276,8 @@ void Tracer::showOtherwise() {
 Frame Tracer::cleared(Frame fresh) const {
   if (clearHelp_ == ClearHelp::reframed)
     return reframed(fresh, *clear_, taken_.request.width, taken_.request.height, threads_);
-  return patched(std::move(fresh), *clear_, taken_.request.cloth.scene->fabric->weave, clearFabric_->weave);
+  const Fabric& fabric = *taken_.request.cloth.scene->fabric;
+  return patched(std::move(fresh), *clear_, fabric.weave, clearFabric_->weave, fabric.crowding > 0);
 }
 
 std::shared_ptr<Frame> Tracer::framed(Frame frame) const {

@@ -27,7 +27,7 @@ struct YarnGeometry {
   double plyRadius_mm = 0;   ///< holds the fibres' volume at the yarn's packing
   double cordRadius_mm = 0;  ///< of a cord, as cords see one another; of a single ply, the ply's
   double radius_mm = 0;      ///< round, hairs excluded: what others rest on, on average as plies turn
-  bool monofilament = false;
+  bool monofilament = false;  ///< of one fibre a ply, which nothing presses
   double fibreArea_mm2 = 0;                          ///< of all fibres in the section
   std::array<SectionScale, kFloatStates> pressed{};  ///< where the yarn crosses another, by float state
   SectionScale free;                                 ///< where nothing presses it

@@ -48,12 +48,13 @@ bool isTurned(const Weave& now, const Weave& then, int pick, int end) {
 }
 
 /// Whether a crossing has been turned so near that what is seen here may have changed: along the yarns that cross
-/// there, and on the threads beside them.
-bool isNearTurned(const Weave& now, const Weave& then, const Film::Hit& hit) {
+/// there, and on the threads beside them, and where threads crowd also on those beside these.
+bool isNearTurned(const Weave& now, const Weave& then, const Film::Hit& hit, bool crowded) {
   constexpr int kReach = kCrossingReach;
+  const int farthest = crowded ? 2 : 1;
   if (hit.end < 0 || hit.pick < 0) return false;  // a gap
   for (int along = -kReach; along <= kReach; ++along)
-    for (int beside = -1; beside <= 1; ++beside)
+    for (int beside = -farthest; beside <= farthest; ++beside)
       if (isTurned(now, then, hit.pick + along, hit.end + beside) ||
           isTurned(now, then, hit.pick + beside, hit.end + along))
         return true;
@@ -109,13 +110,13 @@ std::vector<glm::vec4> sharesOf(const std::vector<bool>& changed, const Frame& f
 
 }  // namespace
 
-Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave& weaveThen) {
+Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave& weaveThen, bool crowded) {
   std::vector<bool> changed = newlySeen(fresh, old);
   for (size_t i = 0; i < changed.size(); ++i) {
     if (!changed[i]) continue;
     // A single sample falls through gaps where one of many has met a yarn: that one says what is there.
     const Film::Hit& hit = fresh.hits[i].end >= 0 ? fresh.hits[i] : old.hits[middleOf(i, fresh, old)];
-    changed[i] = isNearTurned(weaveNow, weaveThen, hit);
+    changed[i] = isNearTurned(weaveNow, weaveThen, hit, crowded);
   }
   addTurned(changed, fresh, old, weaveNow, weaveThen);
   const std::vector<glm::vec4> shares = sharesOf(changed, fresh);

@@ -10,6 +10,7 @@
 #include "app/bench/studies/wardrobe_study.h"
 #include "core/base/random.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/long_floats.h"
 #include "core/geometry/cloth_geometry.h"
@@ -62,8 +63,8 @@ TEST_P(WardrobeCloths, TurnOutAsTheTradeSays) {
   }
 }
 
-/// Pressed yarns are no narrower than Peirce's round ones, and no wider than those that flatten most readily: 1.39
-/// times at the usual readiness of 1.2, and with the root of it.
+/// Pressed yarns are no narrower than Peirce's round ones, which are of 0.91 g/cm3, and no wider than the law spreads
+/// filament: 1.41 times at the usual readiness to flatten, 1.2, and as the root of it.
 TEST_P(WardrobeCloths, CoverWhatYarnsOfTheirWidthCan) {
   const ClothComparison of = compareWithTrade(*GetParam());
   const auto coverOfYarns = [&](double width) {
@@ -76,7 +77,7 @@ TEST_P(WardrobeCloths, CoverWhatYarnsOfTheirWidthCan) {
   double widest = 0;
   for (const Yarn& yarn : fabric.yarns) {
     const double density_g_cm3 = yarn.packing * meanFibre(yarn, fabric.fibres).density_g_cm3;
-    widest = std::max(widest, 1.39 * std::sqrt(yarn.flattening / 1.2 * 0.91 / density_g_cm3));
+    widest = std::max(widest, 1.41 * std::sqrt(yarn.flattening / 1.2 * 0.91 / density_g_cm3));
   }
   EXPECT_LE(of.ours.cover, coverOfYarns(widest));
 }

@@ -43,7 +43,7 @@ TEST(Patched, ChangesWhatTheNewPictureShowsOtherwise) {
     for (Film::Hit& hit : fresh.hits)
       if (hit.end == 2 && hit.pick == 3) hit.yarn = 1 - hit.yarn;
     fresh.generation = 7;
-    const Frame whole = patched(fresh, old, kNow, kThen);
+    const Frame whole = patched(fresh, old, kNow, kThen, false);
     EXPECT_EQ(whole.generation, 7u);
     ASSERT_EQ(whole.rgba.size(), old.rgba.size());
     for (int y = 0; y < 48; ++y)
@@ -70,7 +70,7 @@ TEST(Patched, AFinePictureComesInOverSomePixels) {
   Frame fresh = pictureOf(48, 1, kFresh);
   for (Film::Hit& hit : fresh.hits)
     if (hit.end == 2 && hit.pick == 3) hit.yarn = 1 - hit.yarn;
-  const Frame whole = patched(fresh, old, kNow, kThen);
+  const Frame whole = patched(fresh, old, kNow, kThen, false);
   float steepest = 0;
   for (int x = 1; x < 48; ++x)
     steepest = std::max(steepest, std::abs(whole.rgba[28 * 48 + x].x - whole.rgba[28 * 48 + x - 1].x));
@@ -80,8 +80,8 @@ TEST(Patched, AFinePictureComesInOverSomePixels) {
 // A coarse picture may have no sample on a crossing that was turned.
 TEST(Patched, ATurnedCrossingIsSeenWhereNoSampleMetIt) {
   const Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
-  const Frame whole = patched(fresh, old, kNow, kThen);
-  EXPECT_EQ(patched(fresh, old, kThen, kThen).rgba, old.rgba);
+  const Frame whole = patched(fresh, old, kNow, kThen, false);
+  EXPECT_EQ(patched(fresh, old, kThen, kThen, false).rgba, old.rgba);
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 48; ++x) {
       const size_t i = static_cast<size_t>(y) * 48 + static_cast<size_t>(x);
@@ -93,20 +93,31 @@ TEST(Patched, ATurnedCrossingIsSeenWhereNoSampleMetIt) {
     }
 }
 
+// A thread leans on the one beside it, which knows what is turned beside it in turn.
+TEST(Patched, InCrowdedClothChangesReachAThreadFarther) {
+  const Frame old = pictureOf(48, 1, kOld);
+  Frame fresh = pictureOf(48, 1, kFresh);
+  for (Film::Hit& hit : fresh.hits)
+    if (hit.end == 4 && hit.pick == 5) hit.yarn = 1 - hit.yarn;
+  const size_t middle = 44 * 48 + 36;
+  EXPECT_EQ(patched(fresh, old, kNow, kThen, false).rgba[middle], kOld);
+  EXPECT_EQ(patched(fresh, old, kNow, kThen, true).rgba[middle], kFresh);
+}
+
 TEST(Patched, IsAsGoodAsTheWorseOfBoth) {
   Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
-  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, PreviewQuality::clear);
+  EXPECT_EQ(patched(fresh, old, kNow, kThen, false).quality, PreviewQuality::clear);
   fresh.quality = PreviewQuality::sketch;
-  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, PreviewQuality::sketch);
+  EXPECT_EQ(patched(fresh, old, kNow, kThen, false).quality, PreviewQuality::sketch);
   std::swap(fresh.quality, old.quality);
-  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, PreviewQuality::sketch);
+  EXPECT_EQ(patched(fresh, old, kNow, kThen, false).quality, PreviewQuality::sketch);
 }
 
 TEST(Patched, TakesCoarsePicturesThatReachBeyondTheEdge) {
   const Frame old = pictureOf(48, 1, kOld);
   Frame fresh = pictureOf(64, 32, kFresh);
   for (Film::Hit& hit : fresh.hits) hit = {5, 92, 93, 25};
-  for (const glm::vec4& pixel : patched(fresh, old, kNow, kThen).rgba) EXPECT_EQ(pixel, kFresh);
+  for (const glm::vec4& pixel : patched(fresh, old, kNow, kThen, false).rgba) EXPECT_EQ(pixel, kFresh);
 }
 
 /// Wider than the piece that is seen: a single crossing is turned.
