@@ -23,12 +23,12 @@ struct YarnGeometry {
   double fibreRadius_mm = 0;  ///< chosen so that the whole number of fibres has exactly the yarn's count
   double rim_mm = 0;          ///< from the outline to the axes of the outermost fibres, at most half the ply's radius
   double fibreDensity_g_cm3 = 0;
-  double count_tex = 0;      ///< of the yarn as it lies in the cloth, take-up of its twists and loose hairs included
-  double plyRadius_mm = 0;   ///< holds the fibres' volume at the yarn's packing
-  double cordRadius_mm = 0;  ///< of a cord, as cords see one another; of a single ply, the ply's
-  double radius_mm = 0;      ///< round, hairs excluded: what others rest on, on average as plies turn
+  double count_tex = 0;       ///< of the yarn as it lies in the cloth, take-up of its twists and loose hairs included
+  double plyRadius_mm = 0;    ///< holds the fibres' volume at the yarn's packing
+  double cordRadius_mm = 0;   ///< of a cord, as cords see one another; of a single ply, the ply's
+  double radius_mm = 0;       ///< round, hairs excluded: what others rest on, on average as plies turn
   bool monofilament = false;  ///< of one fibre a ply, which nothing presses
-  double fibreArea_mm2 = 0;                          ///< of all fibres in the section
+  double fibreArea_mm2 = 0;   ///< of all fibres in the section
   std::array<SectionScale, kFloatStates> pressed{};  ///< where the yarn crosses another, by float state
   SectionScale free;                                 ///< where nothing presses it
   std::array<double, kFloatStates> rest_mm{};        ///< its part of the distance of the axes there

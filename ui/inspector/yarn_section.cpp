@@ -51,7 +51,7 @@ void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours&
   draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
   if (section.points.empty() || section.halfWidth_mm <= 0) return;
 
-  const double room = 0.8;  // plies stand out of the outline
+  const double room = 0.8;                 // plies stand out of the outline
   const float bottom = max.y - ui.px(26);  // the scale bar stands below it
   const double pixelsPerMm =
       room * 0.5 * std::min((max.x - min.x) / section.halfWidth_mm, (bottom - min.y) / section.halfHeight_mm);
