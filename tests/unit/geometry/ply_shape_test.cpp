@@ -71,7 +71,7 @@ TEST(PlyShape, PliesTouchAndDoNotRunThroughOneAnother) {
     }
 }
 
-// But not than a single of all their fibres.
+// Yarns of plies that flatten lie between those of round plies and a single of all their fibres.
 TEST(PlyShape, PliesThatGiveWayAreSmallerThanRoundOnes) {
   for (int plies = 2; plies <= 8; ++plies) {
     const PlyShape shape(plies, kRadius, false), round(plies, kRadius, true);
