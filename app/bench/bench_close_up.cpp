@@ -14,7 +14,7 @@
 #include "app/cli/progress.h"
 #include "app/wardrobe/wardrobe.h"
 #include "core/base/stopwatch.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "render/transport/path_tracer.h"
 
 namespace loomlight {

@@ -6,7 +6,7 @@
 
 #include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "render/film/film.h"
 #include "render/film/image.h"
 

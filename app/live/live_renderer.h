@@ -9,7 +9,7 @@
 
 #include "app/live/tracer.h"
 #include "core/fabric/model/fabric.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "core/volume/traverse/cloth_volume.h"
 #include "render/bvdf/bvdf_set.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/fabric/model/changes.h"
-#include "core/geometry/yarn_geometry.h"
+#include "core/geometry/yarn/yarn_geometry.h"
 #include "render/bvdf/bvdf_picture.h"
 
 // How it works. A recipe is the text of all that tables depend on; edits that leave it as it is, such as a colour, are

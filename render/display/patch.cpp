@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "core/base/modulo.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "render/display/despeckle.h"
 #include "render/display/resample.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/geometry/cell_strands.h"
+#include "core/geometry/yarn/cell_strands.h"
 #include "render/scene/embree.h"
 
 namespace loomlight {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/task.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "core/shell/cloth_to_world.h"
 #include "render/scene/round_curves.h"
 

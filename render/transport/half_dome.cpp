@@ -7,7 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fabric/yarn/yarn_edit.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "render/transport/path_tracer.h"
 
 // How it works. Each direction of the half-dome has an orthographic camera that sees the same square of cloth, of

@@ -11,7 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/fabric/model/changes.h"
 #include "core/fabric/yarn/yarn_edit.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "render/transport/path_integrator.h"
 
 // How it works. Rays go straight down at random places of a patch that lies under a white sky. Of those that meet what

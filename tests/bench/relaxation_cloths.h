@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/bench/relaxation.h"
 
 namespace loomlight {

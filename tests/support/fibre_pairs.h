@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 
 namespace loomlight::test {
 

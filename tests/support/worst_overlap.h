@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/discs.h"
+#include "core/geometry/yarn/discs.h"
 
 namespace loomlight::test {
 

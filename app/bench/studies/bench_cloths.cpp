@@ -6,7 +6,7 @@
 
 #include "bench_cloth_text.h"
 #include "core/fabric/json/fabric_json.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "core/shell/drape_mesh.h"
 
 namespace loomlight {

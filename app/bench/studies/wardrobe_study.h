@@ -2,7 +2,7 @@
 
 #include "app/wardrobe/wardrobe.h"
 #include "core/fabric/yarn/derived.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 
 namespace loomlight {
 

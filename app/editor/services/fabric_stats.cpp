@@ -7,7 +7,7 @@
 #include "core/base/random.h"
 #include "core/fabric/model/changes.h"
 #include "core/fabric/model/yarn_count.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "core/shell/drape_mesh.h"
 #include "render/scene/fibre_bricks.h"
 

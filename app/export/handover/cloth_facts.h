@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/fabric/model/fabric.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 
 namespace loomlight {
 

@@ -6,7 +6,7 @@
 #include "app/export/sheet/cloth_sheet.h"
 #include "app/export/sheet/face_colours.h"
 #include "app/export/sheet/paper.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 
 namespace loomlight {
 

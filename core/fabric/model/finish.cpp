@@ -24,7 +24,7 @@ constexpr double kMatted = 0.75;         // of the hairs that stand, how many it
 
 constexpr double kLustre = 0.6;  // of the roughness, what mercerising leaves
 
-// Of loose fibres as they are laid (core/geometry/flyaways.cpp).
+// Of loose fibres as they are laid (core/geometry/yarn/flyaways.cpp).
 constexpr double kLoopShare = 0.4, kLoopReach = 0.4, kLyingLength = 2.5;
 constexpr double kMeanReach = 0.281;                 // of an exponential that is cut off at three means, over the cut
 constexpr double kClimbing = 1.09, kLooping = 1.05;  // longer than their way along the cloth, as they rise and curl

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/simd.h"
-#include "core/geometry/cell_strands.h"
+#include "core/geometry/yarn/cell_strands.h"
 #include "core/volume/build/voxel_grid.h"
 
 namespace loomlight {

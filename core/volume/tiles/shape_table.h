@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 
 namespace loomlight {
 

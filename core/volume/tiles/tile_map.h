@@ -11,8 +11,8 @@
 #include "core/base/shared_list.h"
 #include "core/base/task.h"
 #include "core/fabric/weave/weave_edit.h"
-#include "core/geometry/cloth_geometry.h"
-#include "core/geometry/weave_changes.h"
+#include "core/geometry/cloth/cloth_geometry.h"
+#include "core/geometry/cloth/weave_changes.h"
 #include "core/volume/pool/brick_table.h"
 
 namespace loomlight {

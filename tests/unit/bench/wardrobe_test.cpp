@@ -13,7 +13,7 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/long_floats.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "render/scene/fibre_bricks.h"
 #include "render/scene/scene.h"
 #include "tests/support/fibre_pairs.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fabric/model/validate.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "render/transport/make_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/open_cloth.h"

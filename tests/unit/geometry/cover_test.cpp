@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
 
 namespace loomlight {

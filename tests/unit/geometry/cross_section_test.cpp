@@ -1,4 +1,4 @@
-#include "core/geometry/cross_section.h"
+#include "core/geometry/yarn/cross_section.h"
 
 #include <gtest/gtest.h>
 

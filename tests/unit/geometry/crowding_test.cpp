@@ -1,4 +1,4 @@
-#include "core/geometry/crowding.h"
+#include "core/geometry/yarn/crowding.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "core/base/random.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
 
 namespace loomlight {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 
 namespace loomlight {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/fabric/model/finish.h"
-#include "core/geometry/cloth_geometry.h"
-#include "core/geometry/flyaways.h"
+#include "core/geometry/cloth/cloth_geometry.h"
+#include "core/geometry/yarn/flyaways.h"
 #include "tests/unit/geometry/cloths.h"
 
 namespace loomlight {

@@ -6,8 +6,8 @@
 #include <unordered_set>
 
 #include "core/base/random.h"
-#include "core/geometry/cloth_geometry.h"
-#include "core/geometry/weave_changes.h"
+#include "core/geometry/cloth/cloth_geometry.h"
+#include "core/geometry/cloth/weave_changes.h"
 #include "tests/unit/geometry/cloths.h"
 
 namespace loomlight {

@@ -1,10 +1,10 @@
-#include "core/geometry/migration.h"
+#include "core/geometry/yarn/migration.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/geometry/cross_section.h"
+#include "core/geometry/yarn/cross_section.h"
 #include "tests/support/worst_overlap.h"
 
 namespace loomlight {

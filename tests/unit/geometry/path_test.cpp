@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
 
 namespace loomlight {

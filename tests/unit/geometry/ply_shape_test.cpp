@@ -1,11 +1,11 @@
-#include "core/geometry/ply_shape.h"
+#include "core/geometry/yarn/ply_shape.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/geometry/discs.h"
+#include "core/geometry/yarn/discs.h"
 
 namespace loomlight {
 namespace {

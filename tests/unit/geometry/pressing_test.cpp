@@ -1,4 +1,4 @@
-#include "core/geometry/pressing.h"
+#include "core/geometry/yarn/pressing.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/fabric/model/finish.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
 
 namespace loomlight {

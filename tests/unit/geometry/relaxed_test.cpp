@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/bench/relaxation_cloths.h"
 #include "tests/unit/geometry/cloths.h"
 

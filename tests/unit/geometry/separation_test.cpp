@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/geometry/yarn_model.h"
+#include "core/geometry/yarn/yarn_model.h"
 
 namespace loomlight {
 namespace {

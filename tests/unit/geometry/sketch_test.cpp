@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
 
 namespace loomlight {

@@ -1,4 +1,4 @@
-#include "core/geometry/spool.h"
+#include "core/geometry/yarn/spool.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
 #include "tests/unit/geometry/turning.h"
 

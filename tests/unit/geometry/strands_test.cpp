@@ -4,8 +4,8 @@
 #include <cstring>
 #include <span>
 
-#include "core/geometry/cloth_geometry.h"
-#include "core/geometry/stations.h"
+#include "core/geometry/cloth/cloth_geometry.h"
+#include "core/geometry/yarn/stations.h"
 #include "tests/unit/geometry/cloths.h"
 #include "tests/unit/geometry/turning.h"
 

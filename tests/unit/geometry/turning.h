@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/cloth_geometry.h"
-#include "core/geometry/pressing.h"
+#include "core/geometry/cloth/cloth_geometry.h"
+#include "core/geometry/yarn/pressing.h"
 
 namespace loomlight {
 

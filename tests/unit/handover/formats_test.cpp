@@ -12,7 +12,7 @@
 #include "app/export/handover/side_pixels.h"
 #include "core/base/file.h"
 #include "core/fabric/weave/jacquard.h"
-#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/unit/handover/two_sided_cloth.h"
 
