@@ -100,22 +100,31 @@ Wall wallSeen(const Room& room, glm::dvec3 d) {
   return wall;
 }
 
-/// Irradiance on a wall straight from the rectangle, of radiance 1.
-double fromPanel(const Room& room, const Wall& wall) {
-  constexpr int kPatches = 4;  // a side
+constexpr int kPatches = 4;  // of the rectangle, a side
+using Patches = std::array<glm::dvec3, kPatches * kPatches>;
+
+/// Their middles.
+Patches patchesOf(const Room& room) {
   const int u = (room.axis + 1) % 3, v = (room.axis + 2) % 3;
+  Patches patches;
+  for (int i = 0; i < kPatches * kPatches; ++i) {
+    glm::dvec3& p = patches[static_cast<size_t>(i)];
+    p[room.axis] = room.face();
+    p[u] = room.panelLower[u] + (room.panelUpper[u] - room.panelLower[u]) * (i % kPatches + 0.5) / kPatches;
+    p[v] = room.panelLower[v] + (room.panelUpper[v] - room.panelLower[v]) * (i / kPatches + 0.5) / kPatches;
+  }
+  return patches;
+}
+
+/// Irradiance on a wall straight from the rectangle, of radiance 1.
+double fromPanel(const Room& room, const Patches& patches, const Wall& wall) {
   double sum = 0;
-  for (int j = 0; j < kPatches; ++j)
-    for (int i = 0; i < kPatches; ++i) {
-      glm::dvec3 p;
-      p[room.axis] = room.face();
-      p[u] = room.panelLower[u] + (room.panelUpper[u] - room.panelLower[u]) * (i + 0.5) / kPatches;
-      p[v] = room.panelLower[v] + (room.panelUpper[v] - room.panelLower[v]) * (j + 0.5) / kPatches;
-      const glm::dvec3 way = p - wall.point;
-      const double square = glm::dot(way, way);
-      const double there = glm::dot(way, wall.inward), here = (room.upperFace ? 1 : -1) * way[room.axis];
-      if (there > 0 && here > 0) sum += there * here / (square * square);
-    }
+  for (const glm::dvec3& p : patches) {
+    const glm::dvec3 way = p - wall.point;
+    const double square = glm::dot(way, way);
+    const double there = glm::dot(way, wall.inward), here = (room.upperFace ? 1 : -1) * way[room.axis];
+    if (there > 0 && here > 0) sum += there * here / (square * square);
+  }
   return sum * room.panelArea() / (kPatches * kPatches);
 }
 
@@ -125,10 +134,10 @@ Radiance insideOf(const Room& room, const Radiance& panel) {
   const double walls = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
   const double flux = kPi * room.panelArea();
   const double among = room.albedo * flux / (walls * (1 - room.albedo));
-  return [=](glm::dvec3 d) {
+  return [=, patches = patchesOf(room)](glm::dvec3 d) {
     const Wall wall = wallSeen(room, d);
     if (room.inPanel(wall.point)) return panel(d);
-    return room.albedo / kPi * (fromPanel(room, wall) + among);
+    return room.albedo / kPi * (fromPanel(room, patches, wall) + among);
   };
 }
 
