@@ -53,7 +53,8 @@ FrameTimes drawFrame(Window& window, Session& session, WidgetProbe& probe, Field
   session.frame(ui);
   times.panelsCpu = 1e3 * (threadSeconds() - cpuBefore_s);
   times.panels = 1e3 * (watch.lap() - session.workSeconds());
-  window.endFrame(theme);
+  window.drawAnew();
+  window.endFrame(theme, 0);
   times.pixels += 1e3 * watch.lap();
   return times;
 }

@@ -53,7 +53,8 @@ class FrameWatch {
 /// or what comes before it.
 class Frames {
  public:
-  Frames(Window& window, const std::string& dumpFile) : window_(window), probe_(!dumpFile.empty()), dump_(dumpFile) {}
+  Frames(Window& window, const OpenGlDriver& driver, const std::string& dumpFile)
+      : window_(window), driver_(driver), probe_(!dumpFile.empty()), dump_(dumpFile) {}
 
   template <class Shown>
   void runUntilOver(Shown& shown) {
@@ -86,18 +87,21 @@ class Frames {
     window_.beginFrame();
     probe_.beginFrame();
     probe_.fact("inputs", std::to_string(window_.inputCount()));
+    probe_.fact("drawn_frames", std::to_string(window_.drawnCount()));
     probe_.fact("sleeps_then", sleepsThen ? "yes" : "no");
     Ui ui{theme, window_.fonts(), probe_, memory_, window_.scale(), seconds()};
     ui.pixels_per_mm = window_.pixels_per_mm();
     const double before_s = threadSeconds();
     shown.frame(ui);
     watch_.count(threadSeconds() - before_s, probe_);
-    window_.endFrame(theme);
+    window_.endFrame(theme, driver_.changes());
+
     window_.setTitle(shown.title());
     return ui.wakeIn;
   }
 
   Window& window_;
+  const OpenGlDriver& driver_;  ///< of the pictures that are shown
   WidgetProbe probe_;
   WidgetDump dump_;
   FieldMemory memory_;
@@ -113,7 +117,7 @@ int runEditor(const EditorOptions& options) {
   if (options.height > 0) settings.windowHeight = options.height;
   Window window("Loomlight", settings.windowWidth, settings.windowHeight, options.scale);
   OpenGlDriver driver;
-  Frames frames(window, options.widgetDump);
+  Frames frames(window, driver, options.widgetDump);
 
   FileService firstFile(
       Window::wake);  // outlives the session: for a read that was given up nobody waits but at the end

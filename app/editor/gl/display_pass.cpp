@@ -24,12 +24,14 @@ void DisplayPass::makeOnce() {
   glGenFramebuffers(1, &framebuffer_);
 }
 
-void DisplayPass::use(std::shared_ptr<const ColourCube> cube) {
-  if (cube == cube_) return;
+bool DisplayPass::use(std::shared_ptr<const ColourCube> cube) {
+  if (cube == cube_) return false;
   cube_ = std::move(cube);
-  if (!cube_) return;
-  makeOnce();
-  uploadCube(cubeTexture_, *cube_);
+  if (cube_) {
+    makeOnce();
+    uploadCube(cubeTexture_, *cube_);
+  }
+  return true;
 }
 
 void DisplayPass::begin(int width, int height) {

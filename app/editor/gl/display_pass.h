@@ -16,8 +16,8 @@ class DisplayPass {
   DisplayPass(const DisplayPass&) = delete;
   DisplayPass& operator=(const DisplayPass&) = delete;
 
-  /// Null: the display is sRGB.
-  void use(std::shared_ptr<const ColourCube> cube);
+  /// Null: the display is sRGB. Whether it is another than before.
+  bool use(std::shared_ptr<const ColourCube> cube);
   /// What is drawn between the two is brought to the display's colours. Pixels of the window.
   void begin(int width, int height);
   void end();

@@ -16,7 +16,7 @@ constexpr GLint kNoCloth = -2147483647;  // as in shaders/display.frag
 
 class OpenGlTexture final : public PictureTexture {
  public:
-  OpenGlTexture() = default;
+  explicit OpenGlTexture(uint64_t& changes) : changes_(changes) {}
   ~OpenGlTexture() override;
   OpenGlTexture(const OpenGlTexture&) = delete;
   OpenGlTexture& operator=(const OpenGlTexture&) = delete;
@@ -25,6 +25,7 @@ class OpenGlTexture final : public PictureTexture {
   ImTextureID id() const override { return textureId(texture_); }
 
  private:
+  uint64_t& changes_;  ///< the driver's
   GLuint texture_ = 0;
 };
 
@@ -43,12 +44,13 @@ void OpenGlTexture::upload(const Pixels8& pixels) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, pixels.width, pixels.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
                pixels.bytes.data());
   glGenerateMipmap(GL_TEXTURE_2D);
+  ++changes_;
 }
 
 /// Exposure and tone are uniforms of a shader, so that they never cost a new picture.
 class OpenGlViewport final : public ViewportPicture {
  public:
-  OpenGlViewport();
+  explicit OpenGlViewport(uint64_t& changes);
   ~OpenGlViewport() override;
   OpenGlViewport(const OpenGlViewport&) = delete;
   OpenGlViewport& operator=(const OpenGlViewport&) = delete;
@@ -62,6 +64,7 @@ class OpenGlViewport final : public ViewportPicture {
   void resizeTarget(int width, int height);
   void useProof(const SoftProof& proof);
 
+  uint64_t& changes_;  ///< the driver's
   GLuint program_ = 0, vertexArray_ = 0, picture_ = 0, crossings_ = 0, target_ = 0, prints_ = 0, framebuffer_ = 0;
   int targetWidth_ = 0, targetHeight_ = 0;
   int width_ = 0, height_ = 0;  ///< of the picture
@@ -78,7 +81,7 @@ class OpenGlViewport final : public ViewportPicture {
   std::shared_ptr<const ColourCube> uploadedPrints_;
 };
 
-OpenGlViewport::OpenGlViewport() {
+OpenGlViewport::OpenGlViewport(uint64_t& changes) : changes_(changes) {
   program_ = linkedProgram(kDisplayFragmentShader);
   glGenVertexArrays(1, &vertexArray_);
   picture_ = madeTexture(GL_TEXTURE_2D, GL_LINEAR);
@@ -169,6 +172,7 @@ ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, con
   const Shown wanted{width, height, tone, proof, outline};
   if (shown_ == wanted) return target;  // most frames change something else
   shown_ = wanted;
+  ++changes_;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   resizeTarget(width, height);
   glViewport(0, 0, width, height);
@@ -202,11 +206,11 @@ ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, con
 }  // namespace
 
 std::unique_ptr<PictureTexture> OpenGlDriver::makeTexture() {
-  return std::make_unique<OpenGlTexture>();
+  return std::make_unique<OpenGlTexture>(changes_);
 }
 
 std::unique_ptr<ViewportPicture> OpenGlDriver::makeViewport() {
-  return std::make_unique<OpenGlViewport>();
+  return std::make_unique<OpenGlViewport>(changes_);
 }
 
 }  // namespace loomlight

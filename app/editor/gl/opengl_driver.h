@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "app/editor/display/display_driver.h"
 
 namespace loomlight {
@@ -10,6 +12,11 @@ class OpenGlDriver final : public DisplayDriver {
  public:
   std::unique_ptr<PictureTexture> makeTexture() override;
   std::unique_ptr<ViewportPicture> makeViewport() override;
+  /// How often any of its pictures has come to show something else.
+  uint64_t changes() const { return changes_; }
+
+ private:
+  uint64_t changes_ = 0;
 };
 
 }  // namespace loomlight

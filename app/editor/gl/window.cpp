@@ -11,9 +11,11 @@
 #include <cmath>
 #include <utility>
 
+#include "app/editor/display/frame_digest.h"
 #include "app/editor/display/interface_scale.h"
 #include "app/editor/display/keyboard_layout.h"
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "ui/words/error_words.h"
 
 namespace loomlight {
@@ -102,7 +104,7 @@ void Window::setTheme(const Theme& theme) {
 }
 
 void Window::setDisplayCube(std::shared_ptr<const ColourCube> cube) {
-  displayPass_->use(std::move(cube));
+  if (displayPass_->use(std::move(cube))) drawAnew();
 }
 
 void Window::setTitle(const std::string& title) {
@@ -131,7 +133,10 @@ void Window::noticeInput() {
   };
   glfwSetWindowSizeCallback(window_, placed);
   glfwSetWindowPosCallback(window_, placed);
-  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { seen(window); });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) {
+    seen(window);
+    static_cast<Window*>(glfwGetWindowUserPointer(window))->drawAnew();
+  });
 }
 
 bool Window::waitForEvents(double seconds) {
@@ -207,8 +212,12 @@ void Window::beginFrame() {
   ImGui::NewFrame();
 }
 
-void Window::endFrame(const Theme& theme) {
+void Window::endFrame(const Theme& theme, uint64_t pictures) {
   ImGui::Render();
+  const uint64_t frame = hashCombine(digestOf(*ImGui::GetDrawData()), pictures);
+  if (onScreen_ == frame) return;
+  onScreen_ = frame;
+  ++drawnCount_;
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
   displayPass_->begin(width, height);

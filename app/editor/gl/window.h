@@ -46,7 +46,14 @@ class Window {
   static void wake();  ///< from any thread
 
   void beginFrame();
-  void endFrame(const Theme& theme);
+  /// Draws the frame, unless it looks like the one that is on the screen: a few frames follow every event, of which
+  /// most look alike, and without a graphics card each costs what a thousand paths do. `pictures`: how often those that
+  /// it shows have changed.
+  void endFrame(const Theme& theme, uint64_t pictures);
+  /// The next frame is drawn whatever it looks like.
+  void drawAnew() { onScreen_.reset(); }
+  /// How many frames have been drawn.
+  uint64_t drawnCount() const { return drawnCount_; }
 
   bool closeWanted() const;
   void refuseClose();
@@ -66,7 +73,8 @@ class Window {
   float scale_ = 1, givenScale_ = 0, interfaceSize_ = 1;
   bool fullScreen_ = false;
   bool inputSeen_ = false;
-  uint64_t inputCount_ = 0;
+  uint64_t inputCount_ = 0, drawnCount_ = 0;
+  std::optional<uint64_t> onScreen_;     ///< digest of the frame; null where the screen has lost it
   std::optional<double> pixels_per_mm_;  ///< of the display; null: the window has been placed since it was asked
   int windowedX_ = 0, windowedY_ = 0, windowedWidth_ = 0, windowedHeight_ = 0;
   Theme theme_ = Theme::dark();

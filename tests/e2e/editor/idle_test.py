@@ -37,6 +37,19 @@ def a_few_frames_a_wake(editor):
     expect(drawn() <= most, f"{drawn()} frames in {took:.1f} s: an editor at rest draws {most:.0f} at most")
 
 
+def none_of_them_is_drawn(editor):
+    """A frame that looks like the one on the screen is left out; one that a button lights up in is not."""
+    def frames_and_drawn():
+        facts = editor.dump()["facts"]
+        return int(facts["frame"]), int(facts["drawn_frames"])
+
+    frame, drawn = frames_and_drawn()
+    editor.wait_until("some frames have been", lambda: frames_and_drawn()[0] >= frame + FRAMES_A_WAKE)
+    expect(frames_and_drawn()[1] == drawn, "frames are drawn in which nothing changes")
+    editor.move(*editor.centre("menu.file"))
+    editor.wait_until("what the mouse is over is lit", lambda: frames_and_drawn()[1] > drawn)
+
+
 def nothing_between_them(editor):
     """Of a sleep, as long as no frame is drawn: what was measured before another one, and what long after. Workers that
     still see to something, such as the colours of yarns, come to their end; whoever never rests is waited for in
@@ -65,6 +78,7 @@ def test():
         editor.click_at(WIDTH - 3, HEIGHT - 3)  # the last that somebody does
         samples = editor.fact("shown_samples")
         a_few_frames_a_wake(editor)
+        none_of_them_is_drawn(editor)
         nothing_between_them(editor)
         expect(editor.fact("shown_samples") == samples, "a finished picture gets more samples")
 

@@ -1,0 +1,68 @@
+#include "app/editor/display/frame_digest.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/windowless_ui.h"
+
+namespace loomlight {
+namespace {
+
+/// A page with a text, a picture and a strip of a colour.
+struct Page {
+  std::string text = "12 samples";
+  uintptr_t picture = 7;
+  ImVec4 colour{0.2f, 0.4f, 0.6f, 1};
+  float width = 300;
+};
+
+class FrameDigest : public testing::Test {
+ protected:
+  uint64_t of(const Page& page) {
+    ui_.frame(Theme::dark(), [&](Ui&) {
+      ImGui::SetNextWindowPos(ImVec2(0, 0));
+      ImGui::SetNextWindowSize(ImVec2(page.width, 200));
+      ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration);
+      ImGui::TextUnformatted(page.text.c_str());
+      ImGui::Image((ImTextureID)page.picture, ImVec2(40, 30));  // a pointer in some versions, a number in others
+      ImGui::ColorButton("strip", page.colour);
+      ImGui::End();
+    });
+    return digestOf(*ImGui::GetDrawData());
+  }
+
+ private:
+  test::WindowlessUi ui_{ImVec2(400, 300)};
+};
+
+TEST_F(FrameDigest, IsTheSameWhileAllLooksTheSame) {
+  of({});
+  const uint64_t first = of({});  // a window is placed in its first frame
+  EXPECT_EQ(of({}), first);
+  EXPECT_EQ(of({}), first);
+}
+
+TEST_F(FrameDigest, IsAnotherWhateverIsSeenToChange) {
+  of({});
+  const uint64_t before = of({});
+  Page text, picture, colour, width;
+  text.text = "13 samples";
+  picture.picture = 8;
+  colour.colour.x = 0.21f;
+  width.width = 301;
+  for (const Page& other : {text, picture, colour, width}) {
+    EXPECT_NE(of(other), before);
+    EXPECT_EQ(of({}), before) << "and the same again once it looks so";
+  }
+}
+
+TEST_F(FrameDigest, KnowsTheDisplay) {
+  of({});
+  const uint64_t before = of({});
+  ImGui::GetIO().DisplaySize.x = 401;
+  EXPECT_NE(of({}), before);
+}
+
+}  // namespace
+}  // namespace loomlight
