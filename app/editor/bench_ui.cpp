@@ -53,7 +53,7 @@ FrameTimes drawFrame(Window& window, Session& session, WidgetProbe& probe, Field
   session.frame(ui);
   times.panelsCpu = 1e3 * (threadSeconds() - cpuBefore_s);
   times.panels = 1e3 * (watch.lap() - session.workSeconds());
-  window.drawAnew();
+  window.drawAnew();  // each is measured as one that shows something new
   window.endFrame(theme, 0);
   times.pixels += 1e3 * watch.lap();
   return times;

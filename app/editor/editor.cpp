@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <thread>
 
 #include "app/editor/controllers/first_opening.h"
 #include "app/editor/gl/opengl_driver.h"
@@ -29,6 +30,8 @@ namespace {
 /// An event is drawn out over a few frames: ImGui answers a click a frame late, layout settles after it, and a dialog
 /// that a key opens takes four until its text field listens.
 constexpr int kFramesPerEvent = 6;
+/// From one frame to the next where the display does not set the pace.
+constexpr std::chrono::microseconds kFrame{16'667};
 /// The longest sleep; what wakes the window otherwise is input or a worker.
 constexpr double kLongestSleep_s = 5.0;
 
@@ -62,6 +65,7 @@ class Frames {
     double wakeIn = 0;
     while (!shown.isOver()) {
       const bool sleeps = framesLeft <= 0;
+      if (!sleeps && !waitsForDisplay_) std::this_thread::sleep_until(began_ + kFrame);
       const bool input = window_.waitForEvents(sleeps ? std::min(wakeIn, kLongestSleep_s) : 0);
       framesLeft = input || sleeps ? kFramesPerEvent - 1 : framesLeft - 1;
       shown.drop(window_.takeDroppedFiles());
@@ -84,6 +88,7 @@ class Frames {
     window_.setTheme(theme);
     window_.setInterfaceSize(shown.settings().interfaceSize);
     window_.setDisplayCube(shown.displayCube());
+    began_ = std::chrono::steady_clock::now();
     window_.beginFrame();
     probe_.beginFrame();
     probe_.fact("inputs", std::to_string(window_.inputCount()));
@@ -94,8 +99,7 @@ class Frames {
     const double before_s = threadSeconds();
     shown.frame(ui);
     watch_.count(threadSeconds() - before_s, probe_);
-    window_.endFrame(theme, driver_.changes());
-
+    waitsForDisplay_ = window_.endFrame(theme, driver_.changes());
     window_.setTitle(shown.title());
     return ui.wakeIn;
   }
@@ -106,6 +110,8 @@ class Frames {
   WidgetDump dump_;
   FieldMemory memory_;
   FrameWatch watch_;
+  std::chrono::steady_clock::time_point began_;  ///< the last frame
+  bool waitsForDisplay_ = true;                  ///< it did, and so needs no other pause
 };
 
 }  // namespace

@@ -100,18 +100,19 @@ Wall wallSeen(const Room& room, glm::dvec3 d) {
   return wall;
 }
 
-constexpr int kPatches = 4;  // of the rectangle, a side
+constexpr int kPatches = 4;  // that the rectangle is divided into, a side
 using Patches = std::array<glm::dvec3, kPatches * kPatches>;
 
-/// Their middles.
+/// The middles of the patches that the rectangle is divided into.
 Patches patchesOf(const Room& room) {
   const int u = (room.axis + 1) % 3, v = (room.axis + 2) % 3;
   Patches patches;
   for (int i = 0; i < kPatches * kPatches; ++i) {
+    const int column = i % kPatches, row = i / kPatches;
     glm::dvec3& p = patches[static_cast<size_t>(i)];
     p[room.axis] = room.face();
-    p[u] = room.panelLower[u] + (room.panelUpper[u] - room.panelLower[u]) * (i % kPatches + 0.5) / kPatches;
-    p[v] = room.panelLower[v] + (room.panelUpper[v] - room.panelLower[v]) * (i / kPatches + 0.5) / kPatches;
+    p[u] = room.panelLower[u] + (room.panelUpper[u] - room.panelLower[u]) * (column + 0.5) / kPatches;
+    p[v] = room.panelLower[v] + (room.panelUpper[v] - room.panelLower[v]) * (row + 0.5) / kPatches;
   }
   return patches;
 }

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <utility>
 
 namespace loomlight {
 
@@ -18,11 +19,11 @@ class Wakes {
       came_.notify_all();
     };
   }
-  /// Until the next wake, or for so long.
-  void wait(std::chrono::duration<double> atMost) {
+  /// Until the next wake, or for so long. False when none came.
+  bool wait(std::chrono::duration<double> atMost) {
     std::unique_lock lock(mutex_);
     came_.wait_for(lock, atMost, [this] { return woken_; });
-    woken_ = false;
+    return std::exchange(woken_, false);
   }
   /// Until it is so, looking again after each wake. False when it has not come about after minutes: only what hangs
   /// takes so long.

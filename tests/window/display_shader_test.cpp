@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "app/editor/display/texture_id.h"
@@ -262,6 +263,31 @@ TEST(DisplayShader, TakesAPartOfThePictureAlone) {
     EXPECT_EQ(after[i], isNew ? whole[i] : before[i]) << i;
     EXPECT_NE(before[i], whole[i]);
   }
+}
+
+// A window that leaves out frames which look alike asks the driver whether the pictures in them still do.
+TEST(DisplayShader, ItsDriverKnowsWhenAPictureShowsSomethingElse) {
+  Window window("Shader", 960, 600, 1);
+  OpenGlDriver driver;
+  const auto viewport = driver.makeViewport();
+  const auto texture = driver.makeTexture();
+  Frame frame;
+  frame.width = frame.height = 4;
+  frame.rgba.assign(16, glm::vec4(0.1f, 0.1f, 0.1f, 1));
+  uint64_t before = driver.changes();
+  const auto changed = [&] { return std::exchange(before, driver.changes()) != before; };
+  const auto display = [&](float exposure_stops) {
+    viewport->display(4, 4, Tone{.exposure_stops = exposure_stops}, SoftProof{}, std::nullopt);
+    return changed();
+  };
+  viewport->upload(4, 4, frame.rgba, {});
+  EXPECT_TRUE(display(0));
+  EXPECT_FALSE(display(0)) << "nothing is new";
+  EXPECT_TRUE(display(1));
+  viewport->upload(4, 4, frame.rgba, {});
+  EXPECT_TRUE(display(1)) << "another picture at the same exposure";
+  texture->upload(displayPicture(frame, Tone{}));
+  EXPECT_TRUE(changed());
 }
 
 }  // namespace

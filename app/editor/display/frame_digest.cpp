@@ -23,7 +23,8 @@ uint64_t folded(uint64_t digest, const ImDrawCmd& command) {
   digest = folded(digest, ImVec2(command.ClipRect.x, command.ClipRect.y));
   digest = folded(digest, ImVec2(command.ClipRect.z, command.ClipRect.w));
   digest = hashCombine(digest, command.GetTexID());
-  return hashCombine(hashCombine(digest, command.ElemCount), command.IdxOffset);
+  digest = hashCombine(hashCombine(digest, command.VtxOffset), command.IdxOffset);
+  return hashCombine(digest, command.ElemCount);
 }
 
 }  // namespace

@@ -10,6 +10,10 @@ namespace loomlight {
 /// of the display does not compile.
 class OpenGlDriver final : public DisplayDriver {
  public:
+  OpenGlDriver() = default;
+  OpenGlDriver(const OpenGlDriver&) = delete;  // its pictures count their changes in it
+  OpenGlDriver& operator=(const OpenGlDriver&) = delete;
+
   std::unique_ptr<PictureTexture> makeTexture() override;
   std::unique_ptr<ViewportPicture> makeViewport() override;
   /// How often any of its pictures has come to show something else.

@@ -129,7 +129,9 @@ void Window::noticeInput() {
   glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { seen(window); });
   static constexpr auto placed = [](GLFWwindow* window, int, int) {
     seen(window);
-    static_cast<Window*>(glfwGetWindowUserPointer(window))->pixels_per_mm_.reset();
+    auto* self = static_cast<Window*>(glfwGetWindowUserPointer(window));
+    self->pixels_per_mm_.reset();
+    self->drawAnew();
   };
   glfwSetWindowSizeCallback(window_, placed);
   glfwSetWindowPosCallback(window_, placed);
@@ -212,10 +214,10 @@ void Window::beginFrame() {
   ImGui::NewFrame();
 }
 
-void Window::endFrame(const Theme& theme, uint64_t pictures) {
+bool Window::endFrame(const Theme& theme, uint64_t pictureChanges) {
   ImGui::Render();
-  const uint64_t frame = hashCombine(digestOf(*ImGui::GetDrawData()), pictures);
-  if (onScreen_ == frame) return;
+  const uint64_t frame = hashCombine(digestOf(*ImGui::GetDrawData()), pictureChanges);
+  if (onScreen_ == frame) return false;
   onScreen_ = frame;
   ++drawnCount_;
   int width = 0, height = 0;
@@ -227,6 +229,7 @@ void Window::endFrame(const Theme& theme, uint64_t pictures) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   displayPass_->end();
   glfwSwapBuffers(window_);
+  return true;
 }
 
 bool Window::closeWanted() const {

@@ -47,9 +47,10 @@ class Window {
 
   void beginFrame();
   /// Draws the frame, unless it looks like the one that is on the screen: a few frames follow every event, of which
-  /// most look alike, and without a graphics card each costs what a thousand paths do. `pictures`: how often those that
-  /// it shows have changed.
-  void endFrame(const Theme& theme, uint64_t pictures);
+  /// most look alike, and without a graphics card to draw one costs some ten milliseconds of the processor.
+  /// `pictureChanges`: how often the pictures that it shows have changed. Returns whether it was drawn; only then has
+  /// it waited for the display.
+  bool endFrame(const Theme& theme, uint64_t pictureChanges);
   /// The next frame is drawn whatever it looks like.
   void drawAnew() { onScreen_.reset(); }
   /// How many frames have been drawn.

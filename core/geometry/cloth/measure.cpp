@@ -26,7 +26,7 @@ double widthShare(const YarnGeometry& yarn, const YarnCellKey& key) {
   constexpr int kSteps = 8;
   double sum = 0;
   for (const PathNode& other : {key.previous, key.next}) {
-    const SectionEasing section({key.here.up, key.here.across}, {other.up, other.across}, yarn.free);
+    const SectionEasing<SectionOutline> section({key.here.up, key.here.across}, {other.up, other.across}, yarn.free);
     for (int i = 0; i < kSteps; ++i) {
       const double width_mm = 2 * section.at(0.5 * (i + 0.5) / kSteps).across * yarn.radius_mm;
       sum += std::min(1.0, width_mm / yarn.crossPitch_mm);

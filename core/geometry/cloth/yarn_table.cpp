@@ -149,7 +149,7 @@ PathNode YarnTable::node(System system, int own, const CellShape::Node& at) cons
   const auto state = static_cast<size_t>(at.floatState), otherState = static_cast<size_t>(at.otherState);
   const double height = (warp ? c.warpHeight_mm : c.weftHeight_mm)[state][otherState];
   const YarnGeometry& yarn = of(system).outlines[static_cast<size_t>(own)];
-  const SectionScale& section = yarn.pressed[state];
+  const SectionOutline& section = yarn.pressed[state];
   // Ends are counted along u of the warp's cells, picks against that of the weft's.
   const float aside = yarn.evenness.crowding.aside_mm(at.floatState, warp ? at.leaning : -at.leaning);
   return {static_cast<float>(at.over ? height : -height), static_cast<float>(section.up),

@@ -6,7 +6,8 @@
 
 namespace loomlight {
 
-/// What the crossing itself counts in CellShape::Node::leaning, over one beside it.
+/// How much a yarn is drawn to one of its neighbours is counted as its leaning: the crossing itself counts this much,
+/// and each of the two beside it along the yarn 1. It is below 0 towards the neighbour before.
 inline constexpr int kLeaning = 4;
 inline constexpr int kMostLeaning = kLeaning + 2;  ///< to either side
 
@@ -16,7 +17,7 @@ struct Crowding {
   std::array<double, kFloatStates> byState_mm{};  ///< where that is so at the crossing alone
   double most_mm = 0;                             ///< until such threads touch, their rims pressed in a little
 
-  /// Along the count of threads. `leaning`: CellShape::Node::leaning.
+  /// Along the count of threads.
   float aside_mm(int floatState, int leaning) const;
   bool operator==(const Crowding&) const = default;
 };

@@ -22,7 +22,7 @@ struct PlaceOf {
 };
 using PlaceLanes = PlaceOf<Float32x8>;
 
-/// turned() of a place, or of several (turning.h).
+/// turned() (turning.h) for one place, or for several side by side.
 template <class T>
 PlaceOf<T> turned(glm::dvec2 direction, const PlaceOf<T>& p) {
   const T along = broadcast<T>(direction.x), aside = broadcast<T>(direction.y);

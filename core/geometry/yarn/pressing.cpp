@@ -55,33 +55,40 @@ Yielding yieldingOf(double press, double packing, int floatState) {
   return yielding;
 }
 
-SectionScale SectionEasing::at(double share) const {
+template <class Section>
+Section SectionEasing<Section>::at(double share) const {
   const double onWay = glm::smoothstep(0.0, 1.0, share), sine = std::sin(kPi * share), eased = kEased * sine * sine;
   return {mix(mix(from_.up, to_.up, onWay), free_.up, eased),
           mix(mix(from_.across, to_.across, onWay), free_.across, eased)};
 }
 
 // Smoothstep has slopes up to 1.5 and second derivatives up to 6, the square of a sine up to pi and 2 pi^2.
-double SectionEasing::slope() const {
-  const auto of = [this](double SectionScale::* factor) {
+template <class Section>
+double SectionEasing<Section>::slope() const {
+  const auto of = [this](double Section::* factor) {
     const double change = std::abs(to_.*factor - from_.*factor);
     const double far = std::max(std::abs(free_.*factor - from_.*factor), std::abs(free_.*factor - to_.*factor));
     return 1.5 * change + kEased * kPi * far;
   };
-  return std::max(of(&SectionScale::up), of(&SectionScale::across));
+  return std::max(of(&Section::up), of(&Section::across));
 }
 
-double SectionEasing::bend() const {
-  const auto of = [this](double SectionScale::* factor) {
+template <class Section>
+double SectionEasing<Section>::bend() const {
+  const auto of = [this](double Section::* factor) {
     const double change = std::abs(to_.*factor - from_.*factor);
     const double far = std::max(std::abs(free_.*factor - from_.*factor), std::abs(free_.*factor - to_.*factor));
     return 6 * change + kEased * (2 * kPi * kPi * far + 2 * kPi * 1.5 * change);
   };
-  return std::max(of(&SectionScale::up), of(&SectionScale::across));
+  return std::max(of(&Section::up), of(&Section::across));
 }
 
-double SectionEasing::largest() const {
+template <class Section>
+double SectionEasing<Section>::largest() const {
   return std::max({from_.up, to_.up, free_.up, from_.across, to_.across, free_.across});
 }
+
+template class SectionEasing<SectionOutline>;
+template class SectionEasing<SectionScale>;
 
 }  // namespace loomlight

@@ -8,16 +8,21 @@ namespace loomlight {
 /// the same side. 0 where it bends both ways, 1 at the end of a float, 2 inside one.
 inline constexpr int kFloatStates = 3;
 
-/// A yarn's section in the cloth: factors on the height and width of the round one. Of its outline, unless it is said
-/// to be of the places of its fibres (YarnGeometry::withinOutline).
+/// A yarn's outline in the cloth: factors on the height and width of the round one.
+struct SectionOutline {
+  double up = 1, across = 1;
+  bool operator==(const SectionOutline&) const = default;
+};
+
+/// Factors that take the places of a yarn's fibres from the round section to where they lie in the cloth, within its
+/// outline there (YarnGeometry::withinOutline).
 struct SectionScale {
   double up = 1, across = 1;
-  bool operator==(const SectionScale&) const = default;
 };
 
 /// How a yarn gives way where it crosses another, over its radius at the packing that the law takes it at.
 struct Yielding {
-  SectionScale section;
+  SectionOutline section;
   double apart = 1;  ///< distance of the two axes, over the sum of both radii
 };
 
@@ -37,19 +42,19 @@ Yielding yieldingOf(double press, double packing, int floatState);
 /// The section of a yarn between two crossings, C1: from one's to the other's, and halfway eased a quarter of the way
 /// to the section that the yarn has where nothing presses it. Relaxed yarns ease half of the way, but they also slip
 /// aside for one another, as these do only where their threads crowd.
+template <class Section>  // SectionOutline or SectionScale
 class SectionEasing {
  public:
-  SectionEasing(const SectionScale& from, const SectionScale& to, const SectionScale& free)
-      : from_(from), to_(to), free_(free) {}
+  SectionEasing(const Section& from, const Section& to, const Section& free) : from_(from), to_(to), free_(free) {}
   /// 0 <= share <= 1, of the way.
-  SectionScale at(double share) const;
+  Section at(double share) const;
   /// Bounds on the first and second derivative of either factor by the share.
   double slope() const;
   double bend() const;
   double largest() const;  ///< of either factor, on the way
 
  private:
-  SectionScale from_, to_, free_;
+  Section from_, to_, free_;
 };
 
 }  // namespace loomlight

@@ -48,7 +48,7 @@ class CellStations {
     const TwistEasing easing(path.length_mm(), g.cellLength_mm);
     const SectionEasing section(g.withinOutline({from.up, from.across}), g.withinOutline({to.up, to.across}),
                                 g.withinOutline(g.free));
-    FibreRates rates = ratesOf(section, path.length_mm(), easing.maxCellsPerMm(), swingOn(phase));
+    RateBounds rates = ratesOf(section, path.length_mm(), easing.maxCellsPerMm(), swingOn(phase));
     const double leaning_mm = static_cast<double>(to.aside_mm) - from.aside_mm;
     rates.slope += 1.5 * std::abs(leaning_mm) / path.length_mm();  // of smoothstep, as below
     rates.bend += 6 * std::abs(leaning_mm) / (path.length_mm() * path.length_mm());
@@ -90,9 +90,11 @@ class CellStations {
     if (from < fastest && fastest < to) return std::abs(most);
     return std::max(most * std::sin(2 * kPi * from), most * std::sin(2 * kPi * to));
   }
-  /// Of the place in the round section, times the section's factors: from the twists, migration, the easing of the
-  /// section, how thickness changes, and the products of these. The same for both stretches that share a transition.
-  FibreRates ratesOf(const SectionEasing& section, double length_mm, double cellsPerMm, double swing) const {
+  /// By the length of the axis, of the place in the round section times the section's factors: from the twists,
+  /// migration, the easing of the section, how thickness changes, and the products of these. The same for both
+  /// stretches that share a transition.
+  RateBounds ratesOf(const SectionEasing<SectionScale>& section, double length_mm, double cellsPerMm,
+                     double swing) const {
     const YarnGeometry& g = yarn_.geometry;
     const double twistPerMm = (1 + swing) * cellsPerMm, turn = 2 * kPi * twistPerMm / g.period;
     const double patterns = twistPerMm * yarn_.patterns / g.period;
@@ -113,7 +115,7 @@ class CellStations {
   }
   /// Bounds on the derivatives of the factor on the radius, the root of a mass that eases from any state to any other
   /// by smoothstep (Stretch::massAt).
-  FibreRates thicknessRates(double cellsPerMm) const {
+  RateBounds thicknessRates(double cellsPerMm) const {
     const double thinnest = yarn_.thinnest(), thickest = yarn_.thickest();
     const double apart = thickest * thickest - thinnest * thinnest;
     if (apart == 0) return {0, 0};
@@ -121,7 +123,7 @@ class CellStations {
     return {slope / (2 * thinnest), bend / (2 * thinnest) + slope * slope / (4 * thinnest * thinnest * thinnest)};
   }
   /// Bounds on the derivatives of what eases from one to another by smoothstep over a stretch.
-  FibreRates easingRates(double apart, double cellsPerMm) const {
+  RateBounds easingRates(double apart, double cellsPerMm) const {
     if (apart == 0) return {0, 0};
     const double perMm = cellsPerMm / (yarn_.geometry.period - 1);
     return {1.5 * apart * perMm, 6 * apart * perMm * perMm};
@@ -130,7 +132,7 @@ class CellStations {
   /// Of stations on a piece, so that chords stay within the sagitta: h^2 / 8 times the second derivative of the
   /// outermost fibre by the length of the axis. Its parts are the path's curvature, the fibre's own way, and the
   /// products of these.
-  double spacing(const Transition::Piece& piece, const FibreRates& rates) const {
+  double spacing(const Transition::Piece& piece, const RateBounds& rates) const {
     const YarnGeometry& g = yarn_.geometry;
     const double bend = std::abs(piece.curvature_per_mm);
     const double second = bend * (1 + bend * reach_) + 2 * bend * rates.slope + rates.bend;

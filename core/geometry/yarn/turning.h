@@ -9,7 +9,7 @@ namespace loomlight {
 // Places in a yarn's section are (up, across). Positive turns go from up (z) towards u: right-handed about s, so Z
 // twist. A turn is kept as the direction that it takes "up" to.
 
-/// That place, turned.
+/// A place, turned.
 template <class Vec2>
 Vec2 turned(Vec2 direction, Vec2 p) {
   return {direction.x * p.x - direction.y * p.y, direction.y * p.x + direction.x * p.y};

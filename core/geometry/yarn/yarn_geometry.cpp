@@ -63,7 +63,7 @@ double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre)
 
 /// Section and rest of one state, made to fit between the yarn's neighbours: area is kept, and what rests on the yarn
 /// goes up with it.
-void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
+void fit(const YarnGeometry& g, SectionOutline& section, double& rest_mm) {
   constexpr double kTallest = 2;  // over its width
   const double radius = g.radius_mm, area = section.up * section.across;
   const double widest = std::max(0.5 * g.crossPitch_mm / radius, std::sqrt(area / kTallest));
@@ -75,7 +75,7 @@ void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
 
 void pressSections(YarnGeometry& g, const Yarn& yarn, double press, double felting) {
   constexpr double kUsualFlattening = 1.2;  // of the yarns that the law was found for
-  constexpr SectionScale kFree = {0.92, 0.97};
+  constexpr SectionOutline kFree = {0.92, 0.97};
   const bool rigid = g.monofilament;
   // As high as a single of their area, plies are wider by what gaps between them they keep.
   const double single = g.plyRadius_mm * std::sqrt(static_cast<double>(g.singles()));
@@ -83,7 +83,7 @@ void pressSections(YarnGeometry& g, const Yarn& yarn, double press, double felti
   const double closer = rigid ? 1.0 : std::sqrt(yarn.packing / packingAtCrossings(yarn.packing, felting));
   for (int state = 0; state < kFloatStates; ++state) {
     const Yielding yielding = rigid ? Yielding{} : yieldingOf(press, yarn.packing, state);
-    SectionScale& section = g.pressed[static_cast<size_t>(state)];
+    SectionOutline& section = g.pressed[static_cast<size_t>(state)];
     double& rest_mm = g.rest_mm[static_cast<size_t>(state)];
     section = {yielding.section.up * closer / flatter, yielding.section.across * closer * flatter};
     rest_mm = yielding.apart * closer / flatter * g.radius_mm;
@@ -107,7 +107,7 @@ Evenness evennessOf(const Yarn& yarn) {
 
 }  // namespace
 
-SectionScale YarnGeometry::withinOutline(const SectionScale& outline) const {
+SectionScale YarnGeometry::withinOutline(const SectionOutline& outline) const {
   const auto within = [this](double factor) {
     return std::max(0.5 * factor, (factor * radius_mm - rim_mm) / (radius_mm - rim_mm));
   };
@@ -116,7 +116,7 @@ SectionScale YarnGeometry::withinOutline(const SectionScale& outline) const {
 
 double YarnGeometry::highest() const {
   double most = free.up;
-  for (const SectionScale& section : pressed) most = std::max(most, section.up);
+  for (const SectionOutline& section : pressed) most = std::max(most, section.up);
   return std::max(most, withinOutline({most, most}).up);
 }
 

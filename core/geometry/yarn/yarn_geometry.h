@@ -29,11 +29,11 @@ struct YarnGeometry {
   double radius_mm = 0;       ///< round, hairs excluded: what others rest on, on average as plies turn
   bool monofilament = false;  ///< of one fibre a ply, which nothing presses
   double fibreArea_mm2 = 0;   ///< of all fibres in the section
-  std::array<SectionScale, kFloatStates> pressed{};  ///< where the yarn crosses another, by float state
-  SectionScale free;                                 ///< where nothing presses it
-  std::array<double, kFloatStates> rest_mm{};        ///< its part of the distance of the axes there
-  int period = 1;                                    ///< cells
-  int plyTurns = 0;                                  ///< signed turns over one period; positive is Z (right-handed)
+  std::array<SectionOutline, kFloatStates> pressed{};  ///< where the yarn crosses another, by float state
+  SectionOutline free;                                 ///< where nothing presses it
+  std::array<double, kFloatStates> rest_mm{};          ///< its part of the distance of the axes there
+  int period = 1;                                      ///< cells
+  int plyTurns = 0;                                    ///< signed turns over one period; positive is Z (right-handed)
   int yarnTurns = 0;         ///< of the plies about their cord's axis; they turn along rigidly, as they are plied
   int cableTurns = 0;        ///< of the cords about the yarn's axis; they turn along rigidly too
   double pitch_mm = 0;       ///< length of a cell along the yarn
@@ -53,19 +53,20 @@ struct YarnGeometry {
   PlyShape plyShape() const { return {plies, plyRadius_mm, monofilament}; }
   PlyShape cordShape() const { return {cords, cordRadius_mm, monofilament}; }
   double diameter_mm() const { return 2 * radius_mm; }
-  /// Farthest that its plies stand out, round; or what in them is no farther than that from their middle.
+  /// How far from the yarn's axis, round, a place may lie that is so far from the middle of its ply; without a
+  /// distance, the ply's own rim.
   double reach_mm() const { return reach_mm(plyRadius_mm); }
   double reach_mm(double inPly_mm) const { return cordShape().reach_mm(plyShape().reach_mm(inPly_mm)); }
   int singles() const { return cords * plies; }  ///< in the whole section
   /// Signed turns of the fibres over one period, as the axis of the yarn sees them.
   int fibreSpin() const { return plyTurns + yarnTurns + cableTurns; }
   /// The section at the end of a float, hairs excluded: of most crossings in most weaves.
-  const SectionScale& usual() const { return pressed[1]; }
+  const SectionOutline& usual() const { return pressed[1]; }
   double halfWidth_mm() const { return usual().across * radius_mm; }
   double halfHeight_mm() const { return usual().up * radius_mm; }
   /// Factors on the places of its fibres in a section whose outline has these: they lie within by the rim, unless that
   /// would halve them.
-  SectionScale withinOutline(const SectionScale& outline) const;
+  SectionScale withinOutline(const SectionOutline& outline) const;
   double highest() const;  ///< factor up of its highest section, on its fibres' places
   /// Area of a fibre's section times its density, g per mm of fibre.
   double fibreMass_g_mm() const { return fibreDensity_g_cm3 * 1e-3 * kPi * fibreRadius_mm * fibreRadius_mm; }

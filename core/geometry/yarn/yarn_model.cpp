@@ -34,7 +34,7 @@ constexpr double kFullest = 0.82;  // what leaves discs in disorder (random clos
 /// The sections that a yarn's fibres lie in on its way, with halfway between two crossings.
 std::vector<SectionScale> sectionsOf(const YarnGeometry& g) {
   std::vector<SectionScale> sections;
-  for (const SectionScale& pressed : g.pressed) {
+  for (const SectionOutline& pressed : g.pressed) {
     sections.push_back(g.withinOutline(pressed));
     sections.push_back(g.withinOutline(SectionEasing(pressed, pressed, g.free).at(0.5)));
   }
@@ -92,13 +92,13 @@ PlyLayout layoutOf(const YarnGeometry& g, FibreLayout onTheirWay) {
 }
 
 /// Of the outermost fibres, wherever in its ply one starts, and the ply in its cord.
-FibreRates ratesOfTwist(const YarnModel& m) {
+RateBounds ratesOfTwist(const YarnModel& m) {
   constexpr int kAngles = 24;
   constexpr double kBetween = 1.02;  // the most between two of the angles, over that at one
   const YarnGeometry& g = m.geometry;
   const PlyShape plyShape = g.plyShape(), cordShape = g.cordShape();
   const int inPly = g.singles() > 1 ? kAngles : 1, inCord = g.plies > 1 && g.cords > 1 ? kAngles : 1;
-  FibreRates most;
+  RateBounds most;
   for (int i = 0; i < inPly; ++i)
     for (int k = 0; k < inCord; ++k) {
       const Motion still{m.plyReach_mm * glm::dvec2(directionOf(i, inPly))};

@@ -23,9 +23,9 @@ struct YarnSource {
   bool operator==(const YarnSource&) const = default;
 };
 
-/// How fast a fibre moves across its yarn, and how sharply it turns: bounds on the first and second derivative of its
-/// place in the section, mm, by whatever drives it.
-struct FibreRates {
+/// How fast something moves or changes along a yarn, and how sharply it turns: bounds on its first and second
+/// derivative.
+struct RateBounds {
   double slope = 0, bend = 0;
 };
 
@@ -39,10 +39,10 @@ struct YarnModel {
   /// How far the fibres keep apart: 1 where none runs through another, 0 where they do as often as if they lay at
   /// random.
   double separation = 1;
-  double bodyReach_mm = 0;      ///< furthest of these fibres from the yarn's axis, not pressed
-  double plyReach_mm = 0;       ///< and from the middle of their ply, round
-  FibreRates twisting;          ///< of the outermost fibres of a round yarn, by the angle of one turn in the period
-  FibreRates wandering;         ///< of their way between core and surface, by the patterns made
+  double bodyReach_mm = 0;  ///< furthest of these fibres from the yarn's axis, not pressed
+  double plyReach_mm = 0;   ///< and from the middle of their ply, round
+  RateBounds twisting;   ///< of the outermost fibres' places as they turn, mm, by the angle of one turn in the period
+  RateBounds wandering;  ///< of places on their way between core and surface, mm, by the patterns made
   double shapeBend_per_mm = 0;  ///< how much plies and cords that give way bend straight ways (PlyShape::bend_per_mm)
   std::vector<Flyaway> flyaways;
   /// Per phase: the loose fibres near that cell, and the shift in cells that brings them there.

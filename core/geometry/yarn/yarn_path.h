@@ -11,7 +11,7 @@ namespace loomlight {
 /// One point of a yarn's path, at a crossing.
 struct PathNode {
   float height_mm = 0;  ///< of the yarn's axis above the mid-plane of the cloth
-  float up = 1;         ///< factors of its section there (SectionScale)
+  float up = 1;         ///< factors of its outline there (SectionOutline)
   float across = 1;
   float aside_mm = 0;  ///< of the axis from the middle of its cell, along u of the cell's frame (cell_strands.h)
   bool operator==(const PathNode&) const = default;

@@ -38,7 +38,8 @@ def a_few_frames_a_wake(editor):
 
 
 def none_of_them_is_drawn(editor):
-    """A frame that looks like the one on the screen is left out; one that a button lights up in is not."""
+    """Once all workers sleep, frames look like the one on the screen, and are left out; one that a button lights up in
+    is not."""
     def frames_and_drawn():
         facts = editor.dump()["facts"]
         return int(facts["frame"]), int(facts["drawn_frames"])
@@ -78,8 +79,8 @@ def test():
         editor.click_at(WIDTH - 3, HEIGHT - 3)  # the last that somebody does
         samples = editor.fact("shown_samples")
         a_few_frames_a_wake(editor)
-        none_of_them_is_drawn(editor)
         nothing_between_them(editor)
+        none_of_them_is_drawn(editor)
         expect(editor.fact("shown_samples") == samples, "a finished picture gets more samples")
 
 

@@ -195,7 +195,9 @@ void HeadlessEditor::until(const std::string& what, const std::function<bool()>&
       frame();
     }
     if (std::chrono::steady_clock::now() > end) throw Vain("waited in vain until " + what + "; " + plight());
-    wakes_.wait(std::chrono::duration<double>(std::min(wakeIn_s_, 5.0)));  // as long as the real window sleeps
+    // As long as the real window sleeps, and the frame after it knows.
+    const double sleep_s = std::min(wakeIn_s_, 5.0);
+    if (!wakes_.wait(std::chrono::duration<double>(sleep_s))) frameOf(static_cast<float>(sleep_s));
   }
 }
 

@@ -17,8 +17,8 @@ namespace loomlight {
 /// memory and driven by mouse and keys. Widgets and facts are those that tests of the real window see
 /// (--widget-dump), by the same names.
 ///
-/// Nothing here leans on time: clicks and keys are held for frames, time goes by with frames, and whoever waits is
-/// woken by the workers. What does not come about throws Vain, with what the editor says of itself.
+/// Nothing here leans on time: clicks and keys are held for frames, time goes by with frames and sleeps, and whoever
+/// waits is woken by the workers. What does not come about throws Vain, with what the editor says of itself.
 class HeadlessEditor {
  public:
   struct Vain : std::runtime_error {

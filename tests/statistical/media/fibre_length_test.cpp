@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,18 +36,28 @@ Fabric twistedWarp(const test::MediumKind& kind) {
 /// sees.
 test::SampledMean lengthSeen(const Scene& scene, const Medium& medium, glm::vec3 direction) {
   constexpr float kShort_mm = 0.002f;  // what lies before hides one or two percent
-  Random random(3);
+  constexpr uint32_t kRays = 1'500'000, kTogether = 1000;
   TraceCounts counts;
   test::SampledMean length;
-  MediumPath path = medium.path();
-  for (int i = 0; i < 1'500'000; ++i) {
-    const float x = random.uniform(), y = random.uniform(), z = random.uniform();
-    const glm::vec3 place =
-        glm::mix(scene.cloth->shell->lower_mm(), scene.cloth->shell->upper_mm(), glm::vec3(x, y, z));
-    path.begin({place, 0});
-    const auto met = path.collide(direction, random, counts);
-    const bool near = met && met->distance_mm < kShort_mm;
-    length.add(near ? 1 / glm::length(glm::cross(met->tangent, direction)) : 0);
+  const auto batch = medium.batch(kTogether);
+  std::vector<Random> randoms;
+  for (uint32_t i = 0; i < kTogether; ++i) randoms.emplace_back(3, i);
+  std::vector<PathRay> rays;
+  for (uint32_t i = 0; i < kTogether; ++i) rays.push_back({i, direction, &randoms[i]});
+  std::vector<std::optional<Collision>> found(kTogether);
+  for (uint32_t first = 0; first < kRays; first += kTogether) {
+    for (uint32_t i = 0; i < kTogether; ++i) {
+      Random& random = randoms[i];
+      const float x = random.uniform(), y = random.uniform(), z = random.uniform();
+      const glm::vec3 place =
+          glm::mix(scene.cloth->shell->lower_mm(), scene.cloth->shell->upper_mm(), glm::vec3(x, y, z));
+      batch->begin(i, {place, 0}, {});
+    }
+    batch->collide(rays, found, counts);
+    for (const auto& met : found) {
+      const bool near = met && met->distance_mm < kShort_mm;
+      length.add(near ? 1 / glm::length(glm::cross(met->tangent, direction)) : 0);
+    }
   }
   return length;
 }

@@ -92,10 +92,10 @@ TEST_P(WardrobeCloths, LeaveAirBetweenTheirFibres) {
       const YarnGeometry& yarn = cloth.yarn(system, cloth.key(system, thread, thread).yarn);
       const double fibres_mm2 = 1e-3 * yarn.count_tex / yarn.fibreDensity_g_cm3;
       const double round_mm2 = kPi * yarn.radius_mm * yarn.radius_mm;
-      const auto expectRoom = [&](const SectionScale& section) {
+      const auto expectRoom = [&](const SectionOutline& section) {
         EXPECT_LE(fibres_mm2 / (round_mm2 * section.up * section.across), 0.8) << thread;
       };
-      for (const SectionScale& section : yarn.pressed) {
+      for (const SectionOutline& section : yarn.pressed) {
         expectRoom(section);
         expectRoom(SectionEasing(section, section, yarn.free).at(0.5));
       }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "tests/support/windowless_ui.h"
 
@@ -57,11 +58,29 @@ TEST_F(FrameDigest, IsAnotherWhateverIsSeenToChange) {
   }
 }
 
-TEST_F(FrameDigest, KnowsTheDisplay) {
+// Whatever else may have changed with it.
+TEST_F(FrameDigest, KnowsEachPartOfAFrameByItself) {
   of({});
-  const uint64_t before = of({});
-  ImGui::GetIO().DisplaySize.x = 401;
-  EXPECT_NE(of({}), before);
+  ImDrawData& frame = *ImGui::GetDrawData();
+  const uint64_t before = digestOf(frame);
+  ImDrawList& list = *frame.CmdLists[frame.CmdListsCount - 1];
+  ImDrawCmd& command = list.CmdBuffer[0];
+  const auto expectKnown = [&](const char* what, auto& part, auto other) {
+    const auto kept = std::exchange(part, other);
+    EXPECT_NE(digestOf(frame), before) << what;
+    part = kept;
+  };
+  expectKnown("where the display is", frame.DisplayPos.x, 1.0f);
+  expectKnown("its size", frame.DisplaySize.y, 301.0f);
+  expectKnown("pixels to a unit", frame.FramebufferScale.x, 2.0f);
+  expectKnown("a vertex", list.VtxBuffer[3].pos.x, -1.0f);
+  expectKnown("its colour", list.VtxBuffer[3].col, 1u);
+  expectKnown("a triangle", list.IdxBuffer[2], ImDrawIdx(list.IdxBuffer[2] + 1));
+  expectKnown("what is cut off", command.ClipRect.z, command.ClipRect.z + 1);
+  expectKnown("how many triangles", command.ElemCount, command.ElemCount + 3);
+  expectKnown("where they begin", command.IdxOffset, command.IdxOffset + 3);
+  expectKnown("where their vertices begin", command.VtxOffset, command.VtxOffset + 1);
+  EXPECT_EQ(digestOf(frame), before);
 }
 
 }  // namespace

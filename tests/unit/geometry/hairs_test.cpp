@@ -32,7 +32,7 @@ std::vector<Flyaway> manyHairs(YarnGeometry yarn, int pieces) {
 /// The hair in a cloth that is flat as the yarn lies straight: along it, to its side, up.
 glm::dvec3 at(const Flyaway& hair, const YarnGeometry& yarn, double share) {
   const double t = hair.start + (hair.end - hair.start) * (hair.backwards ? 1 - share : share);
-  const glm::dvec2 offset = flyawayOffset(hair, yarn, t, {0, 0, 0, yarn.usual()});
+  const glm::dvec2 offset = flyawayOffset(hair, yarn, t, {0, 0, 0, yarn.withinOutline(yarn.usual())});
   return {t * yarn.cellLength_mm, offset.x, offset.y};
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/geometry/yarn/discs.h"
+#include "core/geometry/yarn/turning.h"
 
 namespace loomlight {
 namespace {

@@ -17,7 +17,7 @@ TEST(Pressing, LeavesAirBetweenTheFibres) {
   for (const double press : {0.0, 0.3, 0.5, 1.0})
     for (const double packing : {0.05, 0.4, 0.5, 0.55, 0.6, 0.7, 0.85})
       for (int state = 0; state < kFloatStates; ++state) {
-        const SectionScale section = yieldingOf(press, packing, state).section;
+        const SectionOutline section = yieldingOf(press, packing, state).section;
         EXPECT_LT(packingAtCrossings(packing) / (section.up * section.across), 0.8) << press << " " << packing;
       }
 }
@@ -54,11 +54,11 @@ TEST(Pressing, FlattensMoreTheMoreItIsPressedAndTheMoreYarnsBend) {
 
 // Slopes and bends by differences of a hundredth are below the second derivative's bound times that.
 TEST(SectionEasing, KeepsItsBounds) {
-  const SectionEasing easing({0.65, 1.16}, {0.75, 1.03}, {0.92, 0.97});
+  const SectionEasing<SectionOutline> easing({0.65, 1.16}, {0.75, 1.03}, {0.92, 0.97});
   double slope = 0, bend = 0;
   for (int i = 1; i < 100; ++i) {
-    const SectionScale before = easing.at(0.01 * (i - 1)), here = easing.at(0.01 * i),
-                       after = easing.at(0.01 * (i + 1));
+    const SectionOutline before = easing.at(0.01 * (i - 1)), here = easing.at(0.01 * i),
+                         after = easing.at(0.01 * (i + 1));
     slope = std::max({slope, 50 * std::abs(after.up - before.up), 50 * std::abs(after.across - before.across)});
     bend = std::max({bend, 1e4 * std::abs(after.up - 2 * here.up + before.up),
                      1e4 * std::abs(after.across - 2 * here.across + before.across)});

@@ -9,7 +9,7 @@
 
 #include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
-#include "tests/unit/geometry/turning.h"
+#include "tests/unit/geometry/handedness.h"
 
 namespace loomlight {
 namespace {

@@ -10,7 +10,7 @@ namespace loomlight {
 /// The fibres of a cell of a straight yarn as they would lie were it not pressed.
 inline CellStrands roundStrands(const ClothGeometry& cloth, const YarnCellKey& key) {
   const YarnGeometry& yarn = cloth.yarn(key.system, key.yarn);
-  const SectionScale node{key.here.up, key.here.across};
+  const SectionOutline node{key.here.up, key.here.across};
   const SectionEasing easing(node, node, yarn.free);
   CellStrands cell = cloth.strands(key);
   for (glm::vec3& p : cell.points) {
