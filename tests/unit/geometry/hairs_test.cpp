@@ -29,10 +29,19 @@ std::vector<Flyaway> manyHairs(YarnGeometry yarn, int pieces) {
   return hairs;
 }
 
+/// Where the yarn lies straight.
+SectionScale sectionOf(const YarnGeometry& yarn) {
+  return yarn.withinOutline(yarn.usual());
+}
+/// Of a place in that section, how far from the axis it would be in the round one.
+double roundRadius_mm(const YarnGeometry& yarn, const glm::dvec3& p) {
+  return std::hypot(p.y / sectionOf(yarn).across, p.z / sectionOf(yarn).up);
+}
+
 /// The hair in a cloth that is flat as the yarn lies straight: along it, to its side, up.
 glm::dvec3 at(const Flyaway& hair, const YarnGeometry& yarn, double share) {
   const double t = hair.start + (hair.end - hair.start) * (hair.backwards ? 1 - share : share);
-  const glm::dvec2 offset = flyawayOffset(hair, yarn, t, {0, 0, 0, yarn.withinOutline(yarn.usual())});
+  const glm::dvec2 offset = flyawayOffset(hair, yarn, t, {0, 0, 0, sectionOf(yarn)});
   return {t * yarn.cellLength_mm, offset.x, offset.y};
 }
 
@@ -79,10 +88,7 @@ TEST(Hairs, AreAsLongInAllAsHairinessSays) {
 
 TEST(Hairs, LeaveTheYarnAtItsSurface) {
   const YarnGeometry yarn = yarnOf(hairy(6, 0.8, 30));
-  // Over the radius, of a place in the section.
-  const auto radius = [&](const glm::dvec3& p) {
-    return std::hypot(p.y / yarn.usual().across, p.z / yarn.usual().up) / (0.5 * yarn.diameter_mm());
-  };
+  const auto radius = [&](const glm::dvec3& p) { return roundRadius_mm(yarn, p) / (0.5 * yarn.diameter_mm()); };
   for (const Flyaway& hair : manyHairs(yarn, 20)) {
     const double root = radius(at(hair, yarn, 0));
     ASSERT_GE(root, 0.59);
@@ -193,8 +199,7 @@ TEST(WrapperFibres, TurnTightlyAroundTheBodyAsOftenAsAsked) {
     EXPECT_GE(std::abs(wrapper.angleSpan), 2 * kPi);
     for (int i = 0; i <= 20; ++i) {
       const glm::dvec3 p = at(wrapper, yarn, i / 20.0);
-      EXPECT_NEAR(std::hypot(p.y / yarn.usual().across, p.z / yarn.usual().up), radius + yarn.fibreRadius_mm,
-                  0.02 * radius);
+      EXPECT_NEAR(roundRadius_mm(yarn, p), radius + yarn.fibreRadius_mm, 0.02 * radius);
     }
   }
 }
