@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "app/editor/display/texture_id.h"
 #include "core/base/checksum.h"
 #include "core/base/hash.h"
 
@@ -22,7 +23,7 @@ uint64_t folded(uint64_t digest, const ImVector<T>& values) {
 uint64_t folded(uint64_t digest, const ImDrawCmd& command) {
   digest = folded(digest, ImVec2(command.ClipRect.x, command.ClipRect.y));
   digest = folded(digest, ImVec2(command.ClipRect.z, command.ClipRect.w));
-  digest = hashCombine(digest, command.GetTexID());
+  digest = hashCombine(digest, textureNumber(command.GetTexID()));
   digest = hashCombine(hashCombine(digest, command.VtxOffset), command.IdxOffset);
   return hashCombine(digest, command.ElemCount);
 }

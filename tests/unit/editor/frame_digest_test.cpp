@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/editor/display/texture_id.h"
 #include "tests/support/windowless_ui.h"
 
 namespace loomlight {
@@ -13,7 +14,7 @@ namespace {
 /// A page with a text, a picture and a strip of a colour.
 struct Page {
   std::string text = "12 samples";
-  uintptr_t picture = 7;
+  uint32_t picture = 7;
   ImVec4 colour{0.2f, 0.4f, 0.6f, 1};
   float width = 300;
 };
@@ -26,7 +27,7 @@ class FrameDigest : public testing::Test {
       ImGui::SetNextWindowSize(ImVec2(page.width, 200));
       ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration);
       ImGui::TextUnformatted(page.text.c_str());
-      ImGui::Image((ImTextureID)page.picture, ImVec2(40, 30));  // a pointer in some versions, a number in others
+      ImGui::Image(textureId(page.picture), ImVec2(40, 30));
       ImGui::ColorButton("strip", page.colour);
       ImGui::End();
     });
