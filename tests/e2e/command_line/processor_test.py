@@ -59,7 +59,7 @@ class Processor(CommandLineTest):
         fabric = self.fabric()
         for drape in ("flat", "cylinder", "folds"):
             with self.subTest(drape):
-                words = ("render", fabric, "--drape", drape, "--size", "64x48")
+                words = ("render", fabric, "--drape", drape)
                 self.run_program(*words, "-o", "here.exr")
                 self.run_program(*words, "-o", "another.exr", before=another)
                 self.assertEqual(self.bytes_of("another.exr"), self.bytes_of("here.exr"))
