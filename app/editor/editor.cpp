@@ -110,8 +110,8 @@ class Frames {
   WidgetDump dump_;
   FieldMemory memory_;
   FrameWatch watch_;
-  std::chrono::steady_clock::time_point began_;  ///< the last frame
-  bool waitsForDisplay_ = true;                  ///< it did, and so needs no other pause
+  std::chrono::steady_clock::time_point began_;  ///< when the last frame began
+  bool waitsForDisplay_ = true;                  ///< the last frame was drawn, and waited for the display to show it
 };
 
 }  // namespace

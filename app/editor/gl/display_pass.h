@@ -16,7 +16,7 @@ class DisplayPass {
   DisplayPass(const DisplayPass&) = delete;
   DisplayPass& operator=(const DisplayPass&) = delete;
 
-  /// Null: the display is sRGB. Whether it is another than before.
+  /// Null: the display is sRGB. Returns whether that changes what is shown.
   bool use(std::shared_ptr<const ColourCube> cube);
   /// What is drawn between the two is brought to the display's colours. Pixels of the window.
   void begin(int width, int height);

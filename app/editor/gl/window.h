@@ -47,7 +47,7 @@ class Window {
 
   void beginFrame();
   /// Draws the frame, unless it looks like the one that is on the screen: a few frames follow every event, of which
-  /// most look alike, and without a graphics card to draw one costs some ten milliseconds of the processor.
+  /// most look alike, and without a graphics card to draw them all took a third of the processor.
   /// `pictureChanges`: how often the pictures that it shows have changed. Returns whether it was drawn; only then has
   /// it waited for the display.
   bool endFrame(const Theme& theme, uint64_t pictureChanges);

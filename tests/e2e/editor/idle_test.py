@@ -30,11 +30,11 @@ def processor_s(process):
 def a_few_frames_a_wake(editor):
     """Frames are counted over the time that they take: a busy machine takes longer for them, never less."""
     first, began = editor.number("frame"), time.monotonic()
-    drawn = lambda: editor.number("frame") - first
-    editor.wait_until("some frames are drawn", lambda: drawn() >= WAKES * FRAMES_A_WAKE)
+    made = lambda: editor.number("frame") - first
+    editor.wait_until("some frames are made", lambda: made() >= WAKES * FRAMES_A_WAKE)
     took = time.monotonic() - began
     most = FRAMES_A_WAKE * (took / LONGEST_SLEEP_S + 2)
-    expect(drawn() <= most, f"{drawn()} frames in {took:.1f} s: an editor at rest draws {most:.0f} at most")
+    expect(made() <= most, f"{made()} frames in {took:.1f} s: an editor at rest makes {most:.0f} at most")
 
 
 def none_of_them_is_drawn(editor):
