@@ -50,9 +50,10 @@ PassPlan nextPass(const PassHistory& h, uint32_t samplesWanted) {
 
 uint32_t hitsWanted(const PassHistory& h) {
   if (h.divider == 0) return 0;  // nothing would be seen sooner than the first coarse pass
+  // Of a third of the resolution cells have heard little yet: the fine pass after it is not to wait.
   if (h.divider > 2) return 1;
-  if (h.samples == 0) return 2;
-  return h.samples == 1 ? 4 : h.samples < 4 ? 8 : 16;
+  if (h.samples == 0) return 4;
+  return h.samples == 1 ? 8 : 16;
 }
 
 Subject nextSubject(const Contender& picture, const Contender& inset) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -76,8 +77,9 @@ std::unique_ptr<PathRecords> Refinement::recordsFor(const Film& film) const {
 Refinement::Paths Refinement::paths() const {
   const auto has = [](const std::unique_ptr<PathRecords>& records) { return records && records->bytes() > 0; };
   if (history_.samples > 0 && has(records_)) return {&fine_, records_.get()};
-  const bool isFilled = history_.divider > 0 && history_.divider <= coarseDivider_;  // no finer pass is under way in it
-  return isFilled && has(coarseRecords_) ? Paths{&*coarse_, coarseRecords_.get()} : Paths{};
+  // No finer pass is under way in it.
+  const bool isFilled = !coarse_.empty() && history_.divider > 0 && history_.divider <= coarse_.back().divider;
+  return isFilled && has(coarseRecords_) ? Paths{&coarse_.back().film, coarseRecords_.get()} : Paths{};
 }
 
 void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes& edit) {
@@ -110,12 +112,11 @@ Film& Refinement::filmFor(int divider) {
     fineBegun_ = true;
     return fine_;
   }
-  if (divider != coarseDivider_) {
-    coarse_.emplace(coarser(fine_.width(), divider), coarser(fine_.height(), divider));
-    coarseDivider_ = divider;
-    if (paths_bytes_ > 0) coarseRecords_ = recordsFor(*coarse_);
+  if (coarse_.empty() || divider != coarse_.back().divider) {
+    coarse_.push_back({Film(coarser(fine_.width(), divider), coarser(fine_.height(), divider)), divider});
+    if (paths_bytes_ > 0) coarseRecords_ = recordsFor(coarse_.back().film);
   }
-  return *coarse_;
+  return coarse_.back().film;
 }
 
 /// The first pass of all is not split: there is nothing that could be seen around its buckets.
@@ -133,15 +134,21 @@ Refinement::Pass Refinement::beginPass() const {
   return {plan, PictureBuckets(all, split ? bucketSide(budget_s / secondsPerPixel, plan.divider) : 0)};
 }
 
+/// Of every pixel: no more than are kept, which would be nothing new.
+uint32_t Refinement::hitsWanted() const {
+  return std::min(loomlight::hitsWanted(history_), shared_->mostHits());
+}
+
 /// First fibres come before any fine pass, which takes seconds. They come in turn with coarse ones, which are quick and
 /// seen at once; or before them, where the light that they are seen in is known and the picture is legible until then.
 bool Refinement::hitsAreNext() const {
-  if (!shared_ || isSketch_ || shared_->hits() >= hitsWanted(history_)) return false;
+  if (!shared_ || isSketch_ || shared_->hits() >= hitsWanted()) return false;
   const bool isLegible = known_ || showsMoved() || history_.divider < FirstPass::kLegible + history_.first.finer;
   return (knowsLight_ && isLegible) || isHitsTurn_ || nextPass(history_, samplesWanted()).divider == 1;
 }
 
 bool Refinement::advance(const Task& task) {
+  constexpr uint32_t kHitsAtOnce = 2;  // of a large picture more would take seconds in which nothing new is seen
   threads_ = task.threads;
   if (converged()) return true;
   isNews_ = true;
@@ -149,8 +156,9 @@ bool Refinement::advance(const Task& task) {
   const bool hitsNext = !pass_ && hitsAreNext();
   isHitsTurn_ = !hitsNext;
   if (hitsNext) {
-    const bool complete = shared_->addHits(hitsWanted(history_), task, passBudget_s(history_));
-    isNews_ = shared_->hits() > 0;
+    const uint32_t before = shared_->hits();
+    const bool complete = shared_->addHits(std::min(hitsWanted(), before + kHitsAtOnce), task, passBudget_s(history_));
+    isNews_ = shared_->hits() > before;
     spent_s_ += secondsSince(start_) - history_.seconds;
     return complete;
   }
@@ -190,10 +198,10 @@ bool Refinement::showDetail(const Task& task) {
   constexpr float kMostMissing = 0.2f, kMostMissingInKnownLight = 0.5f;
   const auto start = Clock::now();
   std::optional<MovedView> view = moved(task.threads);
-  const float missing = view ? missingIn(*view, *coarse_, history_.divider) : 1;
+  const float missing = view ? missingIn(*view, coarse_.back().film, history_.divider) : 1;
   const bool complete = missing <= kFewMissing || !knowsLight_ || showKnownLight(task);
   if (complete && missing <= (known_ ? kMostMissingInKnownLight : kMostMissing)) {
-    brightenTo(*view, *coarse_, history_.divider, task.threads);
+    brightenTo(*view, coarse_.back().film, history_.divider, task.threads);
     showMoved(std::move(*view));
   }
   spent_s_ += secondsSince(start);
@@ -226,7 +234,7 @@ void Refinement::showMoved(MovedView view) {
 bool Refinement::showKnownLight(const Task& task) {
   const int finer = history_.first.finer;
   if (finer == 1 || history_.divider == 1) return true;
-  auto view = shared_->known(*coarse_, finer, task);
+  auto view = shared_->known(coarse_.back().film, finer, task);
   if (!view) return false;
   const SharedPicture& picture = view->picture;
   Frame frame;
@@ -254,13 +262,14 @@ void Refinement::endPass() {
   pass_.reset();
   known_.reset();
   history_.divider = plan.divider;
+  if (!coarse_.empty()) coarse_.erase(coarse_.begin(), coarse_.end() - 1);
   if (plan.divider == 1) {
     history_.samples = plan.samples;
     if (records_ && records_->bytes() > 0) coarseRecords_.reset();
     if (!fading()) standIn_.reset();
   } else {
     if (standIn_ && standIn_->isMoved()) return;
-    Frame coarse = traced(*coarse_, plan.divider);
+    Frame coarse = traced(coarse_.back().film, plan.divider);
     finish(coarse);
     coarse.quality = PreviewQuality::coarse;  // each of its own pixels has a sample: nothing is left of a sketch
     standIn_.emplace(std::make_shared<const Frame>(std::move(coarse)));
@@ -336,9 +345,8 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 Frame Refinement::frame() const {
   const bool shared = sharesLight();
   if (known_ && !shared) return inKnownLight();
-  const bool isWhole = shared || showsMoved() || fineBegun_ || history_.divider == 1 || !coarse_;
-  const int divider = isWhole ? 1 : coarseDivider_;
-  Frame frame = traced(divider == 1 ? fine_ : *coarse_, divider);
+  const bool isWhole = shared || showsMoved() || fineBegun_ || history_.divider == 1 || coarse_.empty();
+  Frame frame = isWhole ? traced(fine_, 1) : traced(coarse_.back().film, coarse_.back().divider);
   if (shared) share(frame);
   finish(frame);
   return frame;
@@ -361,7 +369,9 @@ bool Refinement::sharesLight() const {
 /// For the display, light that repeats share; a fine picture that stands in gives way to it as to the film.
 void Refinement::share(Frame& frame) const {
   frame.shared = true;
-  frame.helped = shared_->picture(fine_, threads_);
+  std::span<const CoarseFilm> coarser = coarse_;
+  if (history_.samples > 0) coarser = {};  // every pixel has samples of its own
+  frame.helped = shared_->picture(fine_, coarser, threads_);
   if (!standIn_ || (standIn_->isMoved() && !showsMoved())) return;
   for (int y = 0; y < fine_.height(); ++y)
     for (int x = 0; x < fine_.width(); ++x) {

@@ -100,7 +100,7 @@ class Refinement {
 
   /// The next pass, or some buckets of one. False when stopped: then it goes on where it was.
   bool advance(const Task& task);
-  /// Whether the last advance() has changed what frame() shows.
+  /// Whether the last advance() has changed what frame() is to show: first fibres are seen when every pixel has them.
   bool isNews() const { return isNews_; }
 
   Frame frame() const;
@@ -128,6 +128,7 @@ class Refinement {
   std::unique_ptr<PathRecords> recordsFor(const Film& film) const;
   Pass beginPass() const;
   void endPass();
+  uint32_t hitsWanted() const;
   bool hitsAreNext() const;
   bool showDetail(const Task& task);
   bool showKnownLight(const Task& task);
@@ -152,10 +153,10 @@ class Refinement {
   bool knowsLight_ = false;               ///< from the picture before
   bool isHitsTurn_ = true;                ///< and that of a coarse pass after them
   bool isNews_ = true;                    ///< the last step has changed what is to be seen
-  std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
-  int coarseDivider_ = 0;
+  /// Of coarse passes: the last that is done, and a finer one under way.
+  std::vector<CoarseFilm> coarse_;
   size_t paths_bytes_ = 0;                      ///< that the paths of either may take; 0: they are not kept
-  std::unique_ptr<PathRecords> coarseRecords_;  ///< of coarse_
+  std::unique_ptr<PathRecords> coarseRecords_;  ///< of the last of coarse_
   bool denoised_ = false, asTraced_ = false, isSketch_ = false;
   uint32_t rest_ = kUsualRest;  ///< samples a pixel
   int threads_ = 1;             ///< of the last pass

@@ -6,10 +6,11 @@
 #include "core/base/parallel.h"
 #include "render/share/error_sums.h"
 
-// How it works. Film and cells are compared in blocks of 2, 4, 8 ... 64 pixels each way. At every size a block trusts
-// its own difference, over that of the larger ones around it, by E / (E + N) (empirical Bayes): N is its noise, E how
-// large the error of the cells is at this size. That is estimated over the whole picture, by how much further
-// differences are apart than their noise explains: from a few blocks, lucky paths would vouch for each other.
+// How it works. Film and cells are compared in blocks of 2, 4, 8 ... 64 pixels each way; where the film has no samples
+// yet, films of coarser passes take its place. At every size a block trusts its own difference, over that of the larger
+// ones around it, by E / (E + N) (empirical Bayes): N is its noise, E how large the error of the cells is at this size.
+// That is estimated over the whole picture, by how much further differences are apart than their noise explains: from a
+// few blocks, lucky paths would vouch for each other.
 
 namespace loomlight {
 namespace {
@@ -57,25 +58,34 @@ Rgb BlockGains::between(const Gains& gains, float x, float y) {
                   glm::mix(gains.at(x0, y1), gains.at(x1, y1), across), down);
 }
 
-BlockGains::Grid<BlockGains::Block> BlockGains::smallest(const SharedPicture& shared, const Film& film, int threads) {
+/// What is known of a pixel at full resolution. Those of one coarse pixel have its samples together: in the mean over
+/// all of them they count for one pixel and have its noise, and over some of them they have more.
+BlockGains::Block BlockGains::Compared::at(int x, int y) const {
+  const int u = x / divider, v = y / divider;
+  const uint32_t samples = film.samples(u, v);
+  if (samples == 0) return {};
+  const size_t i = static_cast<size_t>(v) * static_cast<size_t>(shared.width) + static_cast<size_t>(u);
+  // Of as much cloth in both, or how much there is of it would pass for light.
+  const float alpha = shared.alpha[i], together = static_cast<float>(divider * divider);
+  const Rgb light = film.alpha(u, v) * shared.light[i], difference = alpha * film.mean(u, v) - light;
+  return {light,
+          difference,
+          together * alpha * alpha * shared.variances[i] / static_cast<float>(samples),
+          glm::dot(light, light),
+          glm::dot(difference, difference),
+          1 / together};
+}
+
+BlockGains::Grid<BlockGains::Block> BlockGains::smallest(std::span<const Compared> finestFirst, int threads) {
+  const SharedPicture& shared = finestFirst.front().shared;
   Grid<Block> blocks((shared.width + kSide - 1) / kSide, (shared.height + kSide - 1) / kSide);
   parallelFor(static_cast<size_t>(blocks.height), threads, [&](size_t row) {
     const int top = static_cast<int>(row) * kSide;
     for (int y = top; y < std::min(shared.height, top + kSide); ++y)
       for (int x = 0; x < shared.width; ++x) {
-        const uint32_t samples = film.samples(x, y);
-        if (samples == 0) continue;
-        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(shared.width) + static_cast<size_t>(x);
-        // Of as much cloth in both, or how much there is of it would pass for light.
-        const float alpha = shared.alpha[i];
-        const Rgb light = film.alpha(x, y) * shared.light[i], difference = alpha * film.mean(x, y) - light;
-        blocks.at(x / kSide, static_cast<int>(row)) +=
-            Block{light,
-                  difference,
-                  alpha * alpha * shared.variances[i] / static_cast<float>(samples),
-                  glm::dot(light, light),
-                  glm::dot(difference, difference),
-                  1};
+        Block pixel;
+        for (size_t k = 0; k < finestFirst.size() && pixel.pixels == 0; ++k) pixel = finestFirst[k].at(x, y);
+        blocks.at(x / kSide, static_cast<int>(row)) += pixel;
       }
   });
   return blocks;
@@ -95,7 +105,7 @@ float BlockGains::relativeError2(const Grid<Block>& blocks, const Grid<Block>* l
   for (int y = 0; y < blocks.height; ++y)
     for (int x = 0; x < blocks.width; ++x) {
       const Block& block = blocks.at(x, y);
-      if (block.pixels == 0) continue;
+      if (block.pixels < 1) continue;  // a part of a coarse pixel is no smaller block than that
       Rgb apart = block.difference;
       float expected = block.noise;
       if (larger) {
@@ -123,16 +133,23 @@ BlockGains::Gains BlockGains::freedOfNoise(Grid<Block> smallest) {
         const Block& block = blocks.at(x, y);
         const Rgb around = between(larger, (static_cast<float>(x) + 0.5f) / 2, (static_cast<float>(y) + 0.5f) / 2);
         const float error2 = relative2 * block.light2;
-        const float trust = error2 > 0 && block.pixels > 0 ? error2 / (error2 + block.likelyNoise()) : 0.0f;
-        gains.at(x, y) = block.gain(glm::mix((around - 1.0f) * block.light, block.difference, trust));
+        const float trust = error2 > 0 ? error2 / (error2 + block.likelyNoise()) : 0.0f;
+        gains.at(x, y) =
+            block.pixels > 0 ? block.gain(glm::mix((around - 1.0f) * block.light, block.difference, trust)) : around;
       }
     larger = std::move(gains);
   }
   return larger;
 }
 
-BlockGains::BlockGains(const SharedPicture& shared, const Film& film, int threads)
-    : gains_(freedOfNoise(smallest(shared, film, threads))) {}
+BlockGains::BlockGains(const SharedPicture& shared, const Film& film, std::span<const CoarseFilm> coarser, int threads)
+    : gains_(0, 0) {
+  std::vector<SharedPicture> reducedTo;
+  for (const CoarseFilm& coarse : coarser) reducedTo.push_back(reduced(shared, coarse.divider));
+  std::vector<Compared> finestFirst{{shared, film, 1}};
+  for (size_t k = coarser.size(); k-- > 0;) finestFirst.push_back({reducedTo[k], coarser[k].film, coarser[k].divider});
+  gains_ = freedOfNoise(smallest(finestFirst, threads));
+}
 
 Rgb BlockGains::at(glm::vec2 place) const {
   return between(gains_, place.x / kSide, place.y / kSide);

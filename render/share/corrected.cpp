@@ -6,10 +6,11 @@
 #include "render/share/shared_picture.h"
 
 // How it works. Two pictures of the same are blended: that of cells, which has little noise and an error of its own,
-// and the film, which has noise alone. First blocks of pixels of the cells' picture are brightened as the film is
-// (block_gains.h), which takes away what is wrong alike over many pixels. How large the error is that is left, is
-// estimated over the whole picture by how much further the two are apart than the film's noise explains. A pixel then
-// trusts the film by that error over error and noise, and after so many samples alone.
+// and the film, which has noise alone. First blocks of pixels of the cells' picture are brightened as the film is,
+// or, where that has no samples yet, as coarser ones are (block_gains.h), which takes away what is wrong alike over
+// many pixels. How large the error is that is left, is estimated over the whole picture by how much further the two are
+// apart than the film's noise explains. A pixel then trusts the film by that error over error and noise, and after so
+// many samples alone.
 
 namespace loomlight {
 namespace {
@@ -33,9 +34,9 @@ float relativeError2(const SharedPicture& shared, const Film& film, int threads)
   return all.relativeError2(kVariesBy);
 }
 
-/// To the light that the film knows of.
-void brighten(SharedPicture& shared, const Film& film, int threads) {
-  const BlockGains gains(shared, film, threads);
+/// To the light that the films know of.
+void brighten(SharedPicture& shared, const Film& film, std::span<const CoarseFilm> coarser, int threads) {
+  const BlockGains gains(shared, film, coarser, threads);
   parallelFor(static_cast<size_t>(shared.height), threads, [&](size_t row) {
     for (int x = 0; x < shared.width; ++x)
       shared.light[row * static_cast<size_t>(shared.width) + static_cast<size_t>(x)] *=
@@ -45,8 +46,9 @@ void brighten(SharedPicture& shared, const Film& film, int threads) {
 
 }  // namespace
 
-std::vector<glm::vec4> corrected(SharedPicture shared, const Film& film, uint32_t samplesAlone, int threads) {
-  brighten(shared, film, threads);
+std::vector<glm::vec4> corrected(SharedPicture shared, const Film& film, std::span<const CoarseFilm> coarser,
+                                 uint32_t samplesAlone, int threads) {
+  brighten(shared, film, coarser, threads);
   const float error2 = relativeError2(shared, film, threads);
   std::vector<glm::vec4> picture(shared.light.size());
   parallelFor(static_cast<size_t>(shared.height), threads, [&](size_t row) {

@@ -26,6 +26,7 @@ class FirstHits {
   int width() const { return width_; }
   int height() const { return height_; }
   uint32_t perPixel() const { return have_; }  ///< that have been traced for every pixel
+  uint32_t most() const { return most_; }      ///< that a pixel keeps
   /// Traces so many for every pixel in all, and makes their cells; a pixel keeps kMost of them at most. Where that
   /// takes longer than `budget_s`, some bands of rows, and the next call goes on. False when stopped: then it has those
   /// that it had.

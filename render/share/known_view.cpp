@@ -60,7 +60,7 @@ std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, con
 }
 
 void brightenTo(SharedPicture& picture, const Film& coarse, int finer, int threads) {
-  const BlockGains gains(reduced(picture, finer), coarse, threads);
+  const BlockGains gains(reduced(picture, finer), coarse, {}, threads);
   parallelFor(static_cast<size_t>(picture.height), threads, [&](size_t row) {
     for (int x = 0; x < picture.width; ++x)
       picture.light[row * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] *=

@@ -194,20 +194,19 @@ MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRa
 }
 
 void brightenTo(MovedView& view, const Film& coarse, int divider, int threads) {
-  SharedPicture all(divider * coarse.width(), divider * coarse.height());
+  SharedPicture all(view.width, view.height);
   parallelFor(static_cast<size_t>(view.height), threads, [&](size_t row) {
     for (int x = 0; x < view.width; ++x) {
-      const size_t from = indexIn(view.width, x, static_cast<int>(row)),
-                   to = indexIn(all.width, x, static_cast<int>(row));
-      all.light[to] = Rgb(view.light[from]);
-      all.alpha[to] = view.light[from].a;
+      const size_t i = indexIn(view.width, x, static_cast<int>(row));
+      all.light[i] = Rgb(view.light[i]);
+      all.alpha[i] = view.light[i].a;
     }
   });
   SharedPicture small = reduced(all, divider);
   const float noise2 = relativeNoise2(small, coarse);
   for (size_t i = 0; i < small.light.size(); ++i)
     small.variances[i] += noise2 * glm::dot(small.light[i], small.light[i]);
-  const BlockGains gains(small, coarse, threads);
+  const BlockGains gains(small, coarse, {}, threads);
   parallelFor(static_cast<size_t>(view.height), threads, [&](size_t row) {
     for (int x = 0; x < view.width; ++x) {
       glm::vec4& light = view.light[indexIn(view.width, x, static_cast<int>(row))];

@@ -116,8 +116,8 @@ std::optional<KnownView> SharedLight::known(const Film& coarse, int finer, const
   return view;
 }
 
-std::vector<glm::vec4> SharedLight::picture(const Film& film, int threads) const {
-  return corrected(sharedPicture(*hits_, CellMeans(*cells_), threads), film, kFilmAlone, threads);
+std::vector<glm::vec4> SharedLight::picture(const Film& film, std::span<const CoarseFilm> coarser, int threads) const {
+  return corrected(sharedPicture(*hits_, CellMeans(*cells_), threads), film, coarser, kFilmAlone, threads);
 }
 
 }  // namespace loomlight

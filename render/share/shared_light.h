@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/fabric/model/changes.h"
 #include "render/share/cell_deposits.h"
@@ -55,6 +56,7 @@ class SharedLight {
   /// After that pass.
   void settle() { deposits_->settle(); }
   uint32_t hits() const { return hits_->perPixel(); }  ///< first fibres of every pixel
+  uint32_t mostHits() const { return hits_->most(); }  ///< more are not kept
   /// So many for every pixel, or what there is time for. False when stopped.
   bool addHits(uint32_t perPixel, const Task& task, double budget_s = std::numeric_limits<double>::infinity());
 
@@ -66,8 +68,8 @@ class SharedLight {
 
   /// Whether there is anything to show.
   bool shows() const { return hits() > 0 && knows(); }
-  /// Linear, premultiplied, of the film's size.
-  std::vector<glm::vec4> picture(const Film& film, int threads) const;
+  /// Linear, premultiplied, of the film's size. `coarser`: as for corrected().
+  std::vector<glm::vec4> picture(const Film& film, std::span<const CoarseFilm> coarser, int threads) const;
 
  private:
   std::shared_ptr<const Scene> scene_;

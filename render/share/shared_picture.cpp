@@ -11,13 +11,15 @@
 namespace loomlight {
 
 SharedPicture reduced(const SharedPicture& fine, int side) {
-  const int width = fine.width / side, height = fine.height / side;
+  const int width = (fine.width + side - 1) / side, height = (fine.height + side - 1) / side;
   SharedPicture coarse(width, height);
-  const float share = 1.0f / static_cast<float>(side * side);
-  for (int y = 0; y < height * side; ++y)
-    for (int x = 0; x < width * side; ++x) {
+  for (int y = 0; y < fine.height; ++y)
+    for (int x = 0; x < fine.width; ++x) {
+      const int u = x / side, v = y / side;
       const size_t from = static_cast<size_t>(y) * static_cast<size_t>(fine.width) + static_cast<size_t>(x);
-      const size_t to = static_cast<size_t>(y / side) * static_cast<size_t>(width) + static_cast<size_t>(x / side);
+      const size_t to = static_cast<size_t>(v) * static_cast<size_t>(width) + static_cast<size_t>(u);
+      const int pixels = std::min(side, fine.width - u * side) * std::min(side, fine.height - v * side);
+      const float share = 1.0f / static_cast<float>(pixels);
       coarse.light[to] += share * fine.light[from];
       coarse.alpha[to] += share * fine.alpha[from];
       coarse.variances[to] += share * (fine.variances[from] + glm::dot(fine.light[from], fine.light[from]));

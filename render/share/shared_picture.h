@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "render/film/film.h"
@@ -23,7 +24,14 @@ struct SharedPicture {
   /// Of one path through the pixel, as the cells let expect it, summed over the channels.
   std::vector<float> variances;
 };
-/// Each pixel the mean over `side` x `side`; those that do not fill one are left out.
+
+/// A film of the same view with 1/divider of its pixels each way, rounded up.
+struct CoarseFilm {
+  Film film;
+  int divider = 1;
+};
+
+/// Each pixel the mean over `side` x `side`, or over what there is of them at the right and at the bottom.
 SharedPicture reduced(const SharedPicture& fine, int side);
 
 SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int threads);
@@ -32,6 +40,9 @@ SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int t
 /// paths, which has noise alone: by what the film knows of places that are in another light than their cells, and pixel
 /// by pixel as its noise falls. So the picture converges to the film, and is exactly that from `samplesAlone` samples
 /// on.
-std::vector<glm::vec4> corrected(SharedPicture shared, const Film& film, uint32_t samplesAlone, int threads);
+/// `coarser`: films of the same view, each finer than the one before, which know how bright places are that the film
+/// has no samples of yet.
+std::vector<glm::vec4> corrected(SharedPicture shared, const Film& film, std::span<const CoarseFilm> coarser,
+                                 uint32_t samplesAlone, int threads);
 
 }  // namespace loomlight

@@ -177,6 +177,13 @@ TEST_F(SharedRefinement, TheFirstPictureOfAMovedViewHasTheDetailOfTheOneBefore) 
   }
 }
 
+/// Of all that is shown, in linear light.
+Rgb meanOf(const Frame& frame) {
+  glm::dvec3 sum(0);
+  for (const glm::vec4& pixel : frame.plain()) sum += glm::dvec3(pixel);
+  return Rgb(sum / static_cast<double>(frame.plain().size()));
+}
+
 /// Mean distance of what is shown from the means of a film, in linear light.
 double apart(const Frame& frame, const Film& film) {
   double sum = 0;
@@ -215,6 +222,42 @@ TEST_F(SharedRefinement, AMovedViewIsAsSharpAsThePictureBefore) {
     EXPECT_EQ(apart(after.frame(), after.film()) == 0, !sharesLight) << "nothing of it is left in the light of paths";
     EXPECT_LT(apart(first, after.film()), apart(without.frame(), after.film()));
   }
+}
+
+// A round of them takes a second or more of a large picture: a few at a time are seen as they come, and none is traced
+// that no pixel could keep.
+TEST_F(SharedRefinement, FirstFibresAreSeenAsTheyCome) {
+  Refinement refinement = sharing();
+  refine(refinement, 1);
+  int rounds = 0;
+  for (std::vector<glm::vec4> shown = refinement.frame().helped; refinement.samples() < 3;) {
+    ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
+    std::vector<glm::vec4> now = refinement.frame().helped;
+    EXPECT_TRUE(!refinement.isNews() || now != shown);
+    rounds += refinement.samples() == 1 && now != shown;
+    shown = std::move(now);
+  }
+  EXPECT_GE(rounds, 2) << "more than one from four to eight";
+}
+
+// Cells are told here that nothing has changed, so that what they say is wrong. Folds are like that: cells that few
+// paths have told of mix places that face the light with others. Coarse passes know better, and were seen before.
+TEST_F(SharedRefinement, BelievesCoarsePassesUntilTheFirstFineOne) {
+  constexpr float kBrighter = 8;
+  Fabric bright = *cloth.scene->fabric;
+  bright.light.intensity *= kBrighter;
+  const Traceable brighter{makeScene(std::make_shared<const Fabric>(bright), Task{}, cloth.scene.get()), cloth.medium};
+  Refinement before = sharing(), after(brighter, kWidth, kHeight, kSlow_s);
+  refine(before, 16);
+  const Rgb dim = meanOf(before.frame());
+  after.shareLight(before.takeSharedLight(), {});
+  while (after.divider() != 2 || !after.frame().shared) {
+    ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+    ASSERT_EQ(after.samples(), 0u);
+  }
+  ASSERT_EQ(after.film().samples(kWidth / 2, kHeight / 2), 0u);
+  // Some 600 paths are noisy by 2 %; the rest is what blocks of them trust less than they might.
+  EXPECT_NEAR(luminance(meanOf(after.frame())) / luminance(dim), kBrighter, 0.2 * kBrighter);
 }
 
 // A clear picture says more of another view than cells do, and a young one less.
