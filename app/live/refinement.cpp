@@ -134,9 +134,10 @@ Refinement::Pass Refinement::beginPass() const {
   return {plan, PictureBuckets(all, split ? bucketSide(budget_s / secondsPerPixel, plan.divider) : 0)};
 }
 
-/// Of every pixel: no more than are kept, which would be nothing new.
+/// Of every pixel: no more than it keeps beside those of its samples, which would be nothing new.
 uint32_t Refinement::hitsWanted() const {
-  return std::min(loomlight::hitsWanted(history_), shared_->mostHits());
+  const uint32_t most = shared_->mostHits();
+  return std::min(loomlight::hitsWanted(history_), most - std::min(most, history_.samples));
 }
 
 /// First fibres come before any fine pass, which takes seconds. They come in turn with coarse ones, which are quick and
