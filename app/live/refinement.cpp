@@ -134,10 +134,9 @@ Refinement::Pass Refinement::beginPass() const {
   return {plan, PictureBuckets(all, split ? bucketSide(budget_s / secondsPerPixel, plan.divider) : 0)};
 }
 
-/// Of every pixel: no more than it keeps beside those of its samples, which would be nothing new.
+/// Of every pixel: no more than it keeps, as others would be nothing new.
 uint32_t Refinement::hitsWanted() const {
-  const uint32_t most = shared_->mostHits();
-  return std::min(loomlight::hitsWanted(history_), most - std::min(most, history_.samples));
+  return std::min(loomlight::hitsWanted(history_), shared_->mostHits(history_.samples));
 }
 
 /// First fibres come before any fine pass, which takes seconds. They come in turn with coarse ones, which are quick and

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -56,7 +57,8 @@ class SharedLight {
   /// After that pass.
   void settle() { deposits_->settle(); }
   uint32_t hits() const { return hits_->perPixel(); }  ///< first fibres of every pixel
-  uint32_t mostHits() const { return hits_->most(); }  ///< more are not kept
+  /// Of those, what a pixel keeps beside the first fibres of so many samples of its own.
+  uint32_t mostHits(uint32_t samples) const { return hits_->most() - std::min(hits_->most(), samples); }
   /// So many for every pixel, or what there is time for. False when stopped.
   bool addHits(uint32_t perPixel, const Task& task, double budget_s = std::numeric_limits<double>::infinity());
 
