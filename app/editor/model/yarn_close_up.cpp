@@ -16,12 +16,14 @@ Fabric yarnCloseUp(const Fabric& fabric, int yarn, int width, int height) {
   // One end that always lies over its picks, and these so far apart that the picture shows none.
   constexpr double kPitchDiameters = 8, kSeenDiameters = 2.4;
   const double diameter_mm = yarnDiameter_mm(alone.yarns[0], meanFibre(alone.yarns[0], alone.fibres));
-  const double pitch_mm = std::clamp(kPitchDiameters * diameter_mm, 0.02, 50.0);
+  // A piece is a millimetre wide at least, and a second end in it would leave its middle free.
+  constexpr double kNarrowest_mm = 1;
+  const double pitch_mm = std::clamp(kPitchDiameters * diameter_mm, kNarrowest_mm, 50.0);
   alone.weave = Weave(std::vector<Weave::Row>{{1}});
   alone.ends_per_cm = alone.picks_per_cm = 10 / pitch_mm;
   alone.press = 0;
-  alone.drape.width_mm = std::max(1.0, pitch_mm);
-  alone.drape.height_mm = std::max(1.0, 2 * pitch_mm);
+  alone.drape.width_mm = pitch_mm;
+  alone.drape.height_mm = 2 * pitch_mm;
   constexpr double kSeenPerDistance = 0.3527;  // 2 tan(10 degrees)
   alone.camera.azimuth_deg = 0;                // so that the yarn runs from left to right
   alone.camera.elevation_deg = 75;
