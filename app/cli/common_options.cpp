@@ -45,6 +45,12 @@ void addFabricOptions(CLI::App& app, FabricOptions& options) {
   addValue(app, "--drape", "KIND|FILE",
            "what the cloth lies on: flat, cylinder, sphere, folds, cushion, skirt, or a mesh",
            [&options](const auto& option, const auto& text) { options.drape = parseDrape(option, text); });
+  addValue(app, "--grain", "DEG",
+           "how far the warp is turned to the left of the drape's length: 45 is the bias, 90 cross grain",
+           [&options](const auto& option, const auto& text) {
+             const FieldInfo info = fieldInfo(&Drape::grain_deg);
+             options.grain_deg = parseNumber(option, text, info.min, info.max);
+           });
   addValue(app, "--uv-scale", "MM", "millimetres of cloth per unit of a mesh's texture coordinates",
            [&options](const auto& option, const auto& text) {
              const FieldInfo info = fieldInfo(&Drape::uvScale_mm);

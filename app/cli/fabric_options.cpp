@@ -57,6 +57,7 @@ Fabric withOptions(Fabric fabric, const FabricOptions& options) {
     fabric.drape.kind = options.drape->kind;
     fabric.drape.file = options.drape->file;
   }
+  fabric.drape.grain_deg = options.grain_deg.value_or(fabric.drape.grain_deg);
   fabric.drape.uvScale_mm = options.uvScale_mm.value_or(fabric.drape.uvScale_mm);
   if (options.light) applyLight(*options.light, fabric.light);
   fabric.light.temperature_K = options.temperature_K.value_or(fabric.light.temperature_K);

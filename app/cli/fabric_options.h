@@ -20,6 +20,7 @@ struct FabricOptions {
   std::optional<Estimator> estimator;
   std::optional<EventLaw> eventLaw;  ///< without an estimator: means Estimator::none, whose law it is
   std::optional<DrapeChoice> drape;
+  std::optional<double> grain_deg;
   std::optional<double> uvScale_mm;
   std::optional<ViewChoice> view;
   std::optional<LightChoice> light;

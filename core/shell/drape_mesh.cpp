@@ -74,9 +74,7 @@ void expectPositive(double value, const char* name) {
     throw InputError(fmt::format("drape.{}: expected a positive number of millimetres, got {:g}", name, value));
 }
 
-}  // namespace
-
-DrapeMesh makeDrape(const Drape& drape) {
+DrapeMesh onStraightGrain(const Drape& drape) {
   if (drape.kind == DrapeKind::mesh) return loadDrapeMesh(drape.file, drape.uvScale_mm);
   expectPositive(drape.width_mm, "width_mm");
   expectPositive(drape.height_mm, "height_mm");
@@ -94,6 +92,24 @@ DrapeMesh makeDrape(const Drape& drape) {
     default:
       return sphereDrape(drape);
   }
+}
+
+/// Turns the cloth on its surface, and moves it so that its coordinates begin at 0.
+void turnCloth(std::vector<glm::vec2>& uv_mm, double grain_deg) {
+  const double angle = grain_deg * kPi / 180;
+  const glm::dvec2 weft(std::cos(angle), std::sin(angle)), warp(-weft.y, weft.x);
+  const auto turned = [&](glm::dvec2 uv) { return glm::dvec2(glm::dot(uv, weft), glm::dot(uv, warp)); };
+  glm::dvec2 lower = turned(uv_mm.front());
+  for (const glm::vec2 uv : uv_mm) lower = glm::min(lower, turned(uv));
+  for (glm::vec2& uv : uv_mm) uv = turned(uv) - lower;
+}
+
+}  // namespace
+
+DrapeMesh makeDrape(const Drape& drape) {
+  DrapeMesh mesh = onStraightGrain(drape);
+  if (drape.kind != DrapeKind::flat && drape.grain_deg != 0) turnCloth(mesh.uv_mm, drape.grain_deg);
+  return mesh;
 }
 
 }  // namespace loomlight

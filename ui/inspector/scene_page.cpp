@@ -48,6 +48,7 @@ bool drapeRows(Ui& ui, Drape& drape, InspectorResult& result) {
     changed |= memberField(ui, "drape", drape, &Drape::height_mm, 1);
     if (drape.kind != DrapeKind::flat) changed |= memberField(ui, "drape", drape, &Drape::radius_mm, 1);
   }
+  if (drape.kind != DrapeKind::flat) changed |= memberField(ui, "drape", drape, &Drape::grain_deg, 0, 1);
   const Word& choose = words::scenePage::chooseMesh;
   if (button(ui, "drape.browse", choose.label, 0, true, choose.help)) result.command = Command::chooseMesh;
   return changed;

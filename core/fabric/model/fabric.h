@@ -75,10 +75,12 @@ enum class DrapeKind { flat, cylinder, sphere, folds, cushion, skirt, mesh };
 /// The surface the cloth lies on.
 struct Drape {
   DrapeKind kind = DrapeKind::flat;
-  double width_mm = 20.0;   ///< along the weft, 1..10000; a mesh has its own size
-  double height_mm = 20.0;  ///< along the warp; skirt: from waist to hem
+  double width_mm = 20.0;   ///< from side to side: along the weft where the grain is straight, 1..10000
+  double height_mm = 20.0;  ///< from top to bottom; skirt: from waist to hem. A mesh has its own size
   double radius_mm = 6.0;   ///< cylinder, sphere, tightest bend of folds, height of a cushion, waist: 0.5..10000
-  std::string file;         ///< mesh: OBJ, PLY or OFF with texture coordinates
+  double grain_deg =
+      0.0;           ///< from the drape's length to the warp, to the left seen from the face, -90..90; not of flat
+  std::string file;  ///< mesh: OBJ, PLY or OFF with texture coordinates
   double uvScale_mm = 1.0;  ///< mesh: millimetres per unit of texture coordinate, 1e-3..1e6
   UnknownKeys unknown;
   friend bool operator==(const Drape&, const Drape&);

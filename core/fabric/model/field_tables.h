@@ -96,14 +96,22 @@ struct FieldTable<Drape> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(
       Field{&Drape::kind, {drape, "kind", "Drape", "", 0, 0, "The surface the cloth lies on."}},
-      Field{&Drape::width_mm, {drape, "width_mm", "Width", "mm", 1, 10000, "Size of the piece along the weft.", true}},
+      Field{&Drape::width_mm,
+            {drape, "width_mm", "Width", "mm", 1, 10000,
+             "Size of the piece from side to side, along the weft where its grain is straight.", true}},
       Field{&Drape::height_mm,
-            {drape, "height_mm", "Height", "mm", 1, 10000, "Size of the piece along the warp.", true}},
+            {drape, "height_mm", "Height", "mm", 1, 10000,
+             "Size of the piece from top to bottom, along the warp where its grain is straight.", true}},
       Field{&Drape::radius_mm,
             {drape, "radius_mm", "Radius", "mm", 0.5, 10000,
              "Of the cylinder, the sphere or the waist of a skirt; of folds, the tightest bend; of a cushion, its "
              "height.",
              true}},
+      Field{&Drape::grain_deg,
+            {drape, "grain_deg", "Grain", "°", -90, 90,
+             "How far the warp is turned to the left of the drape's length: 0 is straight grain, 45 the bias, 90 cross "
+             "grain. Yarns gleam where they bend, so a satin shines in folds that cross its floats. Flat cloth is not "
+             "turned."}},
       Field{&Drape::file, {drape, "file", "Mesh", "", 0, 0, "An OBJ, PLY or OFF file with texture coordinates."}},
       Field{&Drape::uvScale_mm,
             {drape, "uv_scale_mm", "Scale", "mm", 1e-3, 1e6, "Millimetres of cloth for one unit of texture coordinate.",

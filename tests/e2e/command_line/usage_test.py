@@ -22,6 +22,7 @@ class Usage(CommandLineTest):
             ("--event-law", "other"),
             ("--exposure", "nan"),
             ("--tone", "cinema"),
+            ("--grain", "91"),
             ("--uv-scale", "0"),
         ):
             with self.subTest(option=option, value=value):

@@ -58,7 +58,8 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
                                              "--keep-sums",  "--resume",
                                              "c.exr",        "--uv-scale",
                                              "10",           "--estimator",
-                                             "report",       "--memory-limit",
+                                             "report",       "--grain",
+                                             "-45",          "--memory-limit",
                                              "2.5",          "--fibres-extent",
                                              "repeat",       "--temperature",
                                              "2700"});
@@ -84,6 +85,7 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
   EXPECT_TRUE(render.keepSums);
   EXPECT_EQ(render.resume, "c.exr");
   EXPECT_DOUBLE_EQ(render.options.uvScale_mm.value(), 10);
+  EXPECT_DOUBLE_EQ(withOptions(Fabric{}, render.options).drape.grain_deg, -45);
   EXPECT_DOUBLE_EQ(withOptions(Fabric{}, render.options).light.temperature_K, 2700);
 }
 

@@ -100,6 +100,50 @@ TEST(Drape, CylinderIsCutToOneTurnAndSaysSo) {
   EXPECT_EQ(mesh.positions.front(), mesh.positions[static_cast<size_t>(lastRow - mesh.uv_mm.begin())]);
 }
 
+/// How the surface of a triangle runs along the weft and the warp of its cloth.
+struct Ways {
+  glm::dvec3 weft, warp;
+};
+
+Ways waysOf(const DrapeMesh& mesh, const glm::uvec3& t) {
+  const glm::dvec3 a = mesh.positions[t[1]] - mesh.positions[t[0]], b = mesh.positions[t[2]] - mesh.positions[t[0]];
+  const glm::dvec2 u = mesh.uv_mm[t[1]] - mesh.uv_mm[t[0]], v = mesh.uv_mm[t[2]] - mesh.uv_mm[t[0]];
+  const double area = u.x * v.y - u.y * v.x;
+  return {(a * v.y - b * u.y) / area, (b * u.x - a * v.x) / area};
+}
+
+// The surface stays, and on it the warp goes to the left by that angle, which is counter-clockwise seen from the face.
+TEST(Drape, GrainTurnsTheClothOnItsSurface) {
+  for (const DrapeKind kind :
+       {DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds, DrapeKind::cushion, DrapeKind::skirt})
+    for (const double grain_deg : {-90.0, -17.0, 45.0, 90.0}) {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(kind) << ", " << grain_deg);
+      Drape drape = drapeOf(kind, 60, 40, 6);
+      const DrapeMesh straight = makeDrape(drape);
+      drape.grain_deg = grain_deg;
+      const DrapeMesh turned = makeDrape(drape);
+      EXPECT_EQ(turned.positions, straight.positions);
+      EXPECT_EQ(turned.normals, straight.normals);
+      EXPECT_EQ(turned.triangles, straight.triangles);
+      const double cosine = std::cos(grain_deg * kPi / 180), sine = std::sin(grain_deg * kPi / 180);
+      for (const glm::uvec3& t : straight.triangles) {
+        const Ways before = waysOf(straight, t), after = waysOf(turned, t);
+        // Coordinates of some 100 mm in floats of 24 bits, over sides of some .1 mm.
+        ASSERT_LT(glm::distance(after.warp, cosine * before.warp - sine * before.weft), 1e-3);
+        ASSERT_LT(glm::distance(after.weft, sine * before.warp + cosine * before.weft), 1e-3);
+      }
+      glm::vec2 lower = turned.uv_mm.front();
+      for (const glm::vec2 uv : turned.uv_mm) lower = glm::min(lower, uv);
+      EXPECT_EQ(lower, glm::vec2(0));
+    }
+}
+
+TEST(Drape, GrainLeavesWhatIsFlat) {
+  Drape drape = drapeOf(DrapeKind::flat, 20, 10, 6);
+  drape.grain_deg = 30;
+  EXPECT_EQ(makeDrape(drape).uv_mm, makeDrape(drapeOf(DrapeKind::flat, 20, 10, 6)).uv_mm);
+}
+
 TEST(Drape, SphereKeepsLengthsThroughItsMiddle) {
   const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::sphere, 14, 14, 6));
   for (const glm::uvec3& t : mesh.triangles) {

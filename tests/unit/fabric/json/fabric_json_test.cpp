@@ -73,6 +73,7 @@ TEST(FabricJson, EveryValueComesBack) {
   f.mill.selvedgeWeave = "tucked in";
   f.drape.kind = DrapeKind::mesh;
   f.drape.file = "folds.obj";
+  f.drape.grain_deg = -30.5;
   f.light.kind = LightKind::environment;
   f.light.file = "sky.exr";
   f.light.illuminant = StandardIlluminant::ledB3;

@@ -73,6 +73,7 @@ TEST(Changes, TouchNoMoreThanTheyMust) {
       {Stage::optics, [](Fabric& f) { f.render.eventLaw = EventLaw::report; }},
       {Stage::drape, [](Fabric& f) { f.drape.kind = DrapeKind::sphere; }},
       {Stage::drape, [](Fabric& f) { f.drape.width_mm = 7; }},
+      {Stage::drape, [](Fabric& f) { f.drape.grain_deg = 45; }},
       {Stage::grid, [](Fabric& f) { f.ends_per_cm = 30; }},
       {Stage::grid, [](Fabric& f) { f.picks_per_cm = 30; }},
       {Stage::grid, [](Fabric& f) { f.render.resolution = 4; }},
