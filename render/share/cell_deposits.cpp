@@ -6,11 +6,11 @@ void CellDeposits::begin(size_t tiles) {
   tiles_ = std::vector<Tile>(tiles, Tile(scene_));
 }
 
-void CellDeposits::sample(size_t tile, int x, int y, const Collision* first, const PathSample& sample) {
+void CellDeposits::sample(size_t tile, int x, int y, const Ray& ray, const Collision* first, const PathSample& sample) {
   Tile& own = tiles_[tile];
   const auto pixel = static_cast<uint32_t>(ofPixels_ ? hits_.pixelAt(x, y) : 0);
   if (!first) {
-    if (ofPixels_) own.deposits.push_back({pixel, FirstHits::kPast, Rgb(0)});
+    if (ofPixels_) own.deposits.push_back({pixel, FirstHits::missed(scene_, ray), Rgb(0)});
     return;
   }
   const LightCellPath path = own.keys.of(*first);
@@ -24,7 +24,7 @@ void CellDeposits::settle() {
     auto fresh = tile.fresh.begin();
     for (const Deposit& one : tile.deposits) {
       const uint32_t cell = one.cell == kNew ? cells_.add(*fresh++) : one.cell;
-      if (cell != FirstHits::kPast) cells_.deposit(cell, one.colour);
+      if (FirstHits::isCell(cell)) cells_.deposit(cell, one.colour);
       if (ofPixels_) hits_.put(one.pixel, cell);
     }
   }

@@ -18,12 +18,12 @@ class CellDeposits final : public FirstFibreSink {
   void ofPixels(bool are) { ofPixels_ = are; }
 
   void begin(size_t tiles) override;
-  void sample(size_t tile, int x, int y, const Collision* first, const PathSample& sample) override;
+  void sample(size_t tile, int x, int y, const Ray& ray, const Collision* first, const PathSample& sample) override;
   /// After the pass: adds up what has come, tile by tile.
   void settle();
 
  private:
-  static constexpr uint32_t kNew = FirstHits::kPast - 1;
+  static constexpr uint32_t kNew = FirstHits::kThrough - 1;
   struct Deposit {
     uint32_t pixel;
     uint32_t cell;  ///< kNew: the next of the tile's new paths

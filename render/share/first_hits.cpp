@@ -7,6 +7,7 @@
 #include "core/base/stopwatch.h"
 #include "render/scene/camera_rays.h"
 #include "render/scene/pixel_filter.h"
+#include "render/scene/shell_entry.h"
 #include "render/transport/path_integrator.h"
 
 // How it works. Paths from the eye end at their first fibre; what is kept of one is the number of the cell of light
@@ -34,12 +35,12 @@ class FirstFibre final : public PathSink {
   bool stopped_ = false;
 };
 
-/// A path of a strip that met a fibre, or passed the cloth.
+/// A path of a strip, and what it met.
 struct StripHit {
   size_t pixel;
   uint32_t cell;  ///< kNew: the next of the strip's new paths
 };
-constexpr uint32_t kNew = FirstHits::kPast - 1;
+constexpr uint32_t kNew = FirstHits::kThrough - 1;
 
 struct Strip {
   std::vector<StripHit> hits;
@@ -50,7 +51,8 @@ struct Strip {
 class StripTracer {
  public:
   StripTracer(const Scene& scene, const Medium& medium, const CellSums& cells, const Task& task, Strip& strip)
-      : cells_(cells),
+      : scene_(scene),
+        cells_(cells),
         task_(task),
         strip_(strip),
         keys_(scene),
@@ -70,7 +72,7 @@ class StripTracer {
       if (const Collision* const met = firsts_[i].met())
         lookUp(pixels_[i], *met, starts_[i].random);
       else
-        strip_.hits.push_back({pixels_[i], FirstHits::kPast});
+        strip_.hits.push_back({pixels_[i], FirstHits::missed(scene_, starts_[i].ray)});
     }
     starts_.clear();
     pixels_.clear();
@@ -86,6 +88,7 @@ class StripTracer {
     if (!cell) strip_.fresh.push_back(path);
   }
 
+  const Scene& scene_;
   const CellSums& cells_;
   const Task& task_;
   Strip& strip_;
@@ -108,6 +111,12 @@ FirstHits::FirstHits(int width, int height)
                              1, kMost))),
       cells_(static_cast<size_t>(width) * static_cast<size_t>(height) * most_),
       counts_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
+
+uint32_t FirstHits::missed(const Scene& scene, const Ray& ray) {
+  const bool comesIn =
+      scene.cloth->entry->enter(ray.origin, ray.direction, 0, std::numeric_limits<float>::max()).has_value();
+  return comesIn ? kThrough : kPast;
+}
 
 bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task,
                       double budget_s) {

@@ -7,6 +7,7 @@
 
 #include "core/base/task.h"
 #include "render/media/medium.h"
+#include "render/scene/camera_rays.h"
 #include "render/scene/scene.h"
 #include "render/share/cell_sums.h"
 
@@ -20,6 +21,7 @@ class FirstHits {
   static constexpr uint32_t kMost = 16;                     ///< of a pixel; fewer in a picture so large that...
   static constexpr size_t kLimit_bytes = size_t{64} << 20;  ///< ...they would take more than this
   static constexpr uint32_t kPast = ~0u;                    ///< past the cloth
+  static constexpr uint32_t kThrough = kPast - 1;           ///< through the cloth, between its fibres
 
   FirstHits(int width, int height);
 
@@ -36,7 +38,10 @@ class FirstHits {
   void put(size_t pixel, uint32_t cell) {
     if (counts_[pixel] < most_) cells_[pixel * most_ + counts_[pixel]++] = cell;
   }
-  /// A cell or kPast each.
+  static bool isCell(uint32_t hit) { return hit < kThrough; }
+  /// kPast or kThrough, of a ray that met no fibre.
+  static uint32_t missed(const Scene& scene, const Ray& ray);
+  /// A cell, kPast or kThrough each.
   std::span<const uint32_t> of(int x, int y) const {
     const size_t pixel = pixelAt(x, y);
     return {&cells_[pixel * most_], counts_[pixel]};

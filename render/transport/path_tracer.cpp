@@ -163,7 +163,7 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
         const auto& [x, y, index, log] = wanted[i];
         const PathSample& sample = tracer.sample(i);
         film.add(x, y, index, sample);
-        if (first) first->sample(number, x, y, tracer.first(i), sample);
+        if (first) first->sample(number, x, y, tracer.ray(i), tracer.first(i), sample);
         if (log) records->add(x, y, sample.direct + sample.indirect, *static_cast<const PathLog*>(log));
       }
     }

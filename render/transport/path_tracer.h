@@ -24,6 +24,7 @@ class PathTracer {
   /// to `counts`. False where `task` (may be null) was stopped: then there are none.
   bool trace(std::span<const PixelSample> wanted, TraceCounts& counts, const Task* task = nullptr);
   // Of the last call, by index into its list:
+  const Ray& ray(size_t i) const { return starts_[i].ray; }  ///< from the eye
   const PathSample& sample(size_t i) const { return sinks_[i].sample(); }
   /// Where the path met its first fibre; null where it met none.
   const Collision* first(size_t i) const { return sinks_[i].sample().alpha > 0 ? &sinks_[i].first() : nullptr; }
@@ -68,9 +69,9 @@ class FirstFibreSink {
  public:
   virtual ~FirstFibreSink() = default;
   virtual void begin(size_t blocks) = 0;
-  /// From the one thread that traces this block of the picture, in the order of its samples. `first`: null where a path
-  /// met nothing.
-  virtual void sample(size_t block, int x, int y, const Collision* first, const PathSample& sample) = 0;
+  /// From the one thread that traces this block of the picture, in the order of its samples. `ray`: from the eye.
+  /// `first`: null where a path met nothing.
+  virtual void sample(size_t block, int x, int y, const Ray& ray, const Collision* first, const PathSample& sample) = 0;
 };
 
 /// Brings every pixel of the film to `samples` samples, numbered from `firstSample` on: traces those that are missing,

@@ -21,7 +21,7 @@ class FibreAxes final : public FirstFibreSink {
       : width_(width), sums_(static_cast<size_t>(width) * static_cast<size_t>(height), glm::vec3(0)) {}
 
   void begin(size_t) override {}
-  void sample(size_t, int x, int y, const Collision* first, const PathSample&) override {
+  void sample(size_t, int x, int y, const Ray&, const Collision* first, const PathSample&) override {
     if (!first) return;
     const glm::vec3 t = first->tangent;
     // No two threads trace the same pixel.

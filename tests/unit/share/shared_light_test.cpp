@@ -9,6 +9,7 @@
 #include "render/scene/camera_rays.h"
 #include "render/scene/fibre_bricks.h"
 #include "render/transport/make_medium.h"
+#include "tests/support/open_cloth.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -28,6 +29,16 @@ Fabric cloth(LightKind light) {
 Fabric dyed(Fabric fabric) {
   fabric.fibres[0].absorption_per_mm = Rgb(4, 2, 1);
   return fabric;
+}
+
+/// Each pixel shows some threads and the slits between them.
+Fabric farAndOpen() {
+  Fabric far = test::openCloth();
+  far.ends_per_cm = far.picks_per_cm = 10;
+  far.drape.width_mm = far.drape.height_mm = 160;
+  far.camera.elevation_deg = 90;
+  far.camera.distance_mm = 240;  // a pixel is 2.6 mm, of as many threads
+  return far;
 }
 
 Task threads(int count) {
@@ -107,13 +118,19 @@ TEST(SharedLight, IsTheSameFromAnyNumberOfThreads) {
   }
 }
 
+// A pixel whose rays all go through a cloth that is open around it shows some of what they miss.
 TEST(SharedLight, OfAWhiteFurnaceIsExactlyWhite) {
-  Picture picture(cloth(LightKind::furnace));
-  picture.trace(1, 2);
-  ASSERT_TRUE(picture.light->addHits(4, threads(2)));
-  for (const glm::vec4& pixel : picture.shown(2)) {
-    EXPECT_NEAR(pixel.r, pixel.a, 1e-5);
-    EXPECT_NEAR(pixel.b, pixel.a, 1e-5);
+  Fabric open = farAndOpen();
+  open.fibres[0].absorption_per_mm = Rgb(0.0f);
+  open.light.kind = LightKind::furnace;
+  for (const Fabric& fabric : {cloth(LightKind::furnace), open}) {
+    Picture picture(fabric);
+    ASSERT_TRUE(picture.light->addHits(2, threads(2)));
+    picture.trace(1, 2);
+    for (const glm::vec4& pixel : picture.shown(2)) {
+      EXPECT_NEAR(pixel.r, pixel.a, 1e-5);
+      EXPECT_NEAR(pixel.b, pixel.a, 1e-5);
+    }
   }
 }
 
@@ -129,6 +146,55 @@ TEST(SharedLight, KeepsTheMeanOfTheFilm) {
   const Rgb mean = meanOf(shared), wanted = meanOf(film);
   // With few paths the rare and dark cells of gaps are drawn towards brighter ones; here a cell has some hundred.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / wanted[c], 1, 0.01);
+}
+
+// Two rays through a pixel of open cloth leave dots of what is behind it; the pixels around know as much of its
+// openings.
+TEST(SharedLight, OfAnOpenClothHasNoDots) {
+  const Fabric far = farAndOpen();
+  Picture picture(far), converged(far);
+  ASSERT_TRUE(picture.light->addHits(2, threads(2)));
+  picture.trace(1, 2);
+  converged.trace(64, 2);
+  std::vector<glm::vec4> film;
+  converged.film.toDisplayBuffer(film);
+  double open = 0;
+  for (const glm::vec4& pixel : film) open += (1.0 - pixel.a) / static_cast<double>(film.size());
+  ASSERT_GT(open, 0.1);
+  ASSERT_LT(open, 0.9);
+  double apart2 = 0;
+  const std::vector<glm::vec4> shown = picture.shown(2);
+  for (size_t i = 0; i < film.size(); ++i)
+    apart2 += std::pow(shown[i].a - film[i].a, 2) / static_cast<double>(film.size());
+  // Three rays of one pixel have this variance, and those of the converged one a twentieth of it.
+  EXPECT_LT(apart2, open * (1 - open) / 3 / 4);
+}
+
+TEST(FirstHits, GoThroughTheClothOrPastIt) {
+  Fabric fabric = test::openCloth();
+  fabric.drape.width_mm = fabric.drape.height_mm = 20;
+  fabric.camera.elevation_deg = 90;
+  fabric.camera.distance_mm = 120;  // 42 mm are seen from top to bottom, and the cloth lies in the middle half of them
+  const auto scene = test::sceneOf(fabric);
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  CellSums cells;
+  FirstHits hits(kWidth, kHeight);
+  ASSERT_TRUE(hits.trace(8, *scene, *medium, cells, threads(2)));
+  int through = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const glm::vec2 fromMiddle = glm::abs(glm::vec2(x, y) + 0.5f - glm::vec2(kWidth, kHeight) / 2.0f);
+      const float farther = std::max(fromMiddle.x, fromMiddle.y);  // the edge is 7.6 pixels away
+      for (const uint32_t hit : hits.of(x, y)) {
+        if (farther < 5) {
+          EXPECT_NE(hit, FirstHits::kPast) << x << ", " << y;
+        } else if (farther > 10) {
+          EXPECT_EQ(hit, FirstHits::kPast) << x << ", " << y;
+        }
+        through += hit == FirstHits::kThrough;
+      }
+    }
+  EXPECT_GT(through, 100);
 }
 
 /// How much nearer a picture of one sample is to a converged one, where light is shared: a share of squared errors.

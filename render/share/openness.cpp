@@ -1,0 +1,89 @@
+#include "render/share/openness.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+
+// How it works. What is around a pixel are all others within a square. Two rays of one pixel differ by the chance that
+// is in each, s^2; a pixel and its surroundings by that and by how unlike they are, t^2. What is around is worth s^2 /
+// t^2 rays. While no pixel has two rays, there is no telling, and each has its own alone.
+
+namespace loomlight {
+namespace {
+
+constexpr int kReach = 3;  // pixels to each side: some fifty pixels are of nearly the same openness
+
+void add(ClothRays& sum, const ClothRays& part) {
+  sum.in += part.in;
+  sum.through += part.through;
+}
+
+/// Sums of what s^2 and t^2 are read off.
+struct Spread {
+  double within = 0, withinFreedom = 0;
+  double apart2 = 0, chance = 0, pixels = 0;  ///< chance: in apart2, for s^2 of 1
+
+  void operator+=(const Spread& other) {
+    within += other.within;
+    withinFreedom += other.withinFreedom;
+    apart2 += other.apart2;
+    chance += other.chance;
+    pixels += other.pixels;
+  }
+};
+
+}  // namespace
+
+Openness::Openness(std::span<const ClothRays> pixels, int width, int height, int threads)
+    : pixels_(pixels), width_(width), height_(height), rows_(pixels.size()) {
+  parallelFor(static_cast<size_t>(height), threads, [&](size_t row) {
+    const std::span<const ClothRays> own = pixels.subspan(row * static_cast<size_t>(width), static_cast<size_t>(width));
+    for (int x = 0; x < width; ++x) {
+      ClothRays& sum = rows_[row * static_cast<size_t>(width) + static_cast<size_t>(x)];
+      for (int u = std::max(0, x - kReach); u <= std::min(width - 1, x + kReach); ++u)
+        add(sum, own[static_cast<size_t>(u)]);
+    }
+  });
+  worth_ = worthOfAround(threads);
+}
+
+/// All within reach but the pixel itself.
+ClothRays Openness::around(int x, int y) const {
+  ClothRays sum;
+  for (int v = std::max(0, y - kReach); v <= std::min(height_ - 1, y + kReach); ++v)
+    add(sum, rows_[static_cast<size_t>(v) * static_cast<size_t>(width_) + static_cast<size_t>(x)]);
+  const ClothRays& own = pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+  return {sum.in - own.in, sum.through - own.through};
+}
+
+float Openness::worthOfAround(int threads) const {
+  std::vector<Spread> rows(static_cast<size_t>(height_));
+  parallelFor(rows.size(), threads, [&](size_t row) {
+    for (int x = 0; x < width_; ++x) {
+      const ClothRays& own = pixels_[row * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+      const ClothRays others = around(x, static_cast<int>(row));
+      if (own.in == 0 || others.in == 0) continue;
+      const double in = own.in, open = own.through / in;
+      const double apart = open - others.through / static_cast<double>(others.in);
+      rows[row] += {in * open * (1 - open), in - 1, apart * apart, 1 / in + 1.0 / others.in, 1};
+    }
+  });
+  Spread all;  // row by row, so that they are the same from any number of threads
+  for (const Spread& row : rows) all += row;
+  if (all.withinFreedom < 1) return 0;
+  constexpr double kMost = 1000;
+  const double within = all.within / all.withinFreedom;
+  const double between = std::max(0.0, (all.apart2 - within * all.chance) / all.pixels);
+  return static_cast<float>(within < kMost * between ? within / between : kMost);
+}
+
+float Openness::at(int x, int y) const {
+  const ClothRays& own = pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+  if (own.in == 0) return 0;
+  const ClothRays others = around(x, y);
+  const float prior = others.in > 0 ? worth_ : 0;
+  const float expected = others.in > 0 ? static_cast<float>(others.through) / static_cast<float>(others.in) : 0;
+  return (static_cast<float>(own.through) + prior * expected) / (static_cast<float>(own.in) + prior);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace loomlight {
+
+/// Of the rays through a pixel: how many came into the cloth, and how many of these met none of its fibres.
+struct ClothRays {
+  uint32_t in = 0, through = 0;
+};
+
+/// How open a cloth is, as it is seen pixel by pixel: the share of the rays into it that go through. Few rays tell
+/// little of that, so a pixel is drawn towards what is around it (empirical Bayes), which is estimated over the whole
+/// picture: the more alike pixels are beside the noise of so few rays, the more their surroundings count for. Where
+/// openings are wider than pixels, each is as it is.
+class Openness {
+ public:
+  /// Row by row from the top left.
+  Openness(std::span<const ClothRays> pixels, int width, int height, int threads);
+
+  /// 0..1; of a pixel beside the cloth, 0.
+  float at(int x, int y) const;
+  /// How many rays of its own a pixel needs, to count for as much as what is around it.
+  float worthOfAround_rays() const { return worth_; }
+
+ private:
+  ClothRays around(int x, int y) const;
+  float worthOfAround(int threads) const;
+
+  std::span<const ClothRays> pixels_;
+  int width_, height_;
+  std::vector<ClothRays> rows_;  ///< sums over kReach pixels to either side
+  float worth_ = 0;
+};
+
+}  // namespace loomlight
