@@ -46,7 +46,7 @@ void addFabricOptions(CLI::App& app, FabricOptions& options) {
            "what the cloth lies on: flat, cylinder, sphere, folds, cushion, skirt, or a mesh",
            [&options](const auto& option, const auto& text) { options.drape = parseDrape(option, text); });
   addValue(app, "--grain", "DEG",
-           "how far the warp is turned to the left of the drape's length: 45 is the bias, 90 cross grain",
+           "how far the warp is turned to the left of the length of a drape that is not flat: 45 is the bias",
            [&options](const auto& option, const auto& text) {
              const FieldInfo info = fieldInfo(&Drape::grain_deg);
              options.grain_deg = parseNumber(option, text, info.min, info.max);

@@ -28,7 +28,7 @@ struct DrapeMesh {
 ///   the least change of bend; its tightest bend has the radius, or less, so that there are three folds at least.
 /// - cushion: the upper face; its lines through the middle keep their length.
 /// - skirt: a full circle of cloth with a hole for the waist; isometric: a cone over a fluted curve.
-/// All but the flat one are of cloth whose warp is turned by `grain_deg` from where the above has it.
+/// So it is on straight grain; all drapes but the flat one have the warp turned by `grain_deg` from there.
 /// Throws InputError for a mesh that cannot be used, naming file, place and what was expected.
 DrapeMesh makeDrape(const Drape& drape);
 

@@ -5,9 +5,9 @@
 
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
+#include "render/media/shell_walk.h"
 #include "render/scene/camera_rays.h"
 #include "render/scene/pixel_filter.h"
-#include "render/scene/shell_entry.h"
 #include "render/transport/path_integrator.h"
 
 // How it works. Paths from the eye end at their first fibre; what is kept of one is the number of the cell of light
@@ -113,9 +113,8 @@ FirstHits::FirstHits(int width, int height)
       counts_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
 
 uint32_t FirstHits::missed(const Scene& scene, const Ray& ray) {
-  const bool comesIn =
-      scene.cloth->entry->enter(ray.origin, ray.direction, 0, std::numeric_limits<float>::max()).has_value();
-  return comesIn ? kThrough : kPast;
+  ShellWalk walk(*scene.cloth, {ray.origin, -1}, ray.direction, std::numeric_limits<float>::max());
+  return walk.next() ? kThrough : kPast;
 }
 
 bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task,

@@ -11,17 +11,16 @@
 namespace loomlight {
 namespace {
 
-constexpr int kReach = 3;  // pixels to each side: some fifty pixels are of nearly the same openness
-
 void add(ClothRays& sum, const ClothRays& part) {
   sum.in += part.in;
   sum.through += part.through;
 }
 
-/// Sums of what s^2 and t^2 are read off.
+/// Sums over pixels that s^2 and t^2 are read off.
 struct Spread {
-  double within = 0, withinFreedom = 0;
-  double apart2 = 0, chance = 0, pixels = 0;  ///< chance: in apart2, for s^2 of 1
+  double within = 0, withinFreedom = 0;  ///< squared differences of rays from the mean of their pixel
+  double apart2 = 0, chance = 0;         ///< of pixels from what is around them; how many times s^2 is in it by chance
+  double pixels = 0;
 
   void operator+=(const Spread& other) {
     within += other.within;

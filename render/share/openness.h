@@ -13,11 +13,16 @@ struct ClothRays {
 
 /// How open a cloth is, as it is seen pixel by pixel: the share of the rays into it that go through. Few rays tell
 /// little of that, so a pixel is drawn towards what is around it (empirical Bayes), which is estimated over the whole
-/// picture: the more alike pixels are beside the noise of so few rays, the more their surroundings count for. Where
-/// openings are wider than pixels, each is as it is.
+/// picture: the more alike pixels are beside the noise of so few rays, the more their surroundings count for. In a
+/// picture whose openings are wider than its pixels, each stays as it is.
+///
+/// Rays are taken for independent. Those of one pixel are spread evenly over it, so that they know openings about as
+/// wide as the pixel better than they are trusted with.
 class Openness {
  public:
-  /// Row by row from the top left.
+  static constexpr int kReach = 3;  ///< pixels to each side: some fifty pixels are of nearly the same openness
+
+  /// `pixels`: row by row from the top left; they must outlive it.
   Openness(std::span<const ClothRays> pixels, int width, int height, int threads);
 
   /// 0..1; of a pixel beside the cloth, 0.

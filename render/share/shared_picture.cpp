@@ -7,7 +7,7 @@
 #include "render/share/openness.h"
 
 // How it works. Each pixel has looked at the cloth a few times with nothing but a first hit, and every hit fell into a
-// cell whose mean light is known from all paths that began in cells like it. The pixel shows the mean over its hits;
+// cell whose mean light is known from all paths that began in cells like it. The pixel shows the mean over these;
 // how far their cells differ is the variance that is left to be blurred. How many rays go through between the fibres is
 // known from the pixels around as well.
 namespace loomlight {
@@ -34,7 +34,7 @@ class Seen {
   CellMeans::Mean fibresNear(int x, int y) const {
     CellMeans::Mean sum;
     uint32_t count = 0;
-    for (int reach = 0; reach <= kFarthest && count == 0; ++reach)
+    for (int reach = 0; reach <= Openness::kReach && count == 0; ++reach)
       for (int v = std::max(0, y - reach); v <= std::min(hits_.height() - 1, y + reach); ++v)
         for (int u = std::max(0, x - reach); u <= std::min(hits_.width() - 1, x + reach); ++u) {
           const size_t i = hits_.pixelAt(u, v);
@@ -48,8 +48,6 @@ class Seen {
   std::vector<ClothRays> rays;  ///< row by row from the top left
 
  private:
-  static constexpr int kFarthest = 3;  ///< pixels: as far as Openness looks
-
   static void add(CellMeans::Mean& sum, const CellMeans::Mean& part) {
     sum.colour += part.colour;
     sum.square += part.square;

@@ -8,7 +8,8 @@
 
 namespace loomlight {
 
-/// A picture of cells: each pixel the mean of the cells that it shows. Row by row from the top left.
+/// A picture of cells: each pixel the mean of the cells that it shows, as far as it shows cloth. Row by row from the
+/// top left.
 struct SharedPicture {
   /// Black and empty at first.
   SharedPicture(int w, int h)

@@ -69,7 +69,7 @@ struct Yarn {
   friend bool operator==(const Yarn&, const Yarn&);
 };
 
-/// folds: hanging in folds along the warp; cushion: its upper face; skirt: a full circle on a waist.
+/// folds: hanging in folds along its length; cushion: its upper face; skirt: a full circle on a waist.
 enum class DrapeKind { flat, cylinder, sphere, folds, cushion, skirt, mesh };
 
 /// The surface the cloth lies on.
@@ -78,9 +78,10 @@ struct Drape {
   double width_mm = 20.0;   ///< from side to side: along the weft where the grain is straight, 1..10000
   double height_mm = 20.0;  ///< from top to bottom; skirt: from waist to hem. A mesh has its own size
   double radius_mm = 6.0;   ///< cylinder, sphere, tightest bend of folds, height of a cushion, waist: 0.5..10000
-  double grain_deg =
-      0.0;           ///< from the drape's length to the warp, to the left seen from the face, -90..90; not of flat
-  std::string file;  ///< mesh: OBJ, PLY or OFF with texture coordinates
+  /// How far the warp is turned to the left of the drape's length, seen from the face, -90..90; flat cloth is not
+  /// turned. The length of a mesh is where the second of its texture coordinates rises.
+  double grain_deg = 0.0;
+  std::string file;         ///< mesh: OBJ, PLY or OFF with texture coordinates
   double uvScale_mm = 1.0;  ///< mesh: millimetres per unit of texture coordinate, 1e-3..1e6
   UnknownKeys unknown;
   friend bool operator==(const Drape&, const Drape&);

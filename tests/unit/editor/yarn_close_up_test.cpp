@@ -13,11 +13,21 @@
 namespace loomlight {
 namespace {
 
-/// How many pixels of a column show fibres.
-int fibresIn(const Film& film, int x) {
-  int fibres = 0;
-  for (int y = 0; y < film.height(); ++y) fibres += film.hit(x, y).yarn >= 0;
-  return fibres;
+/// The pixels of a column that show fibres: how many they are, and their middle.
+struct Strand {
+  int pixels = 0;
+  double middle = 0;
+};
+Strand strandIn(const Film& film, int x) {
+  Strand strand;
+  double sum = 0;
+  for (int y = 0; y < film.height(); ++y)
+    if (film.hit(x, y).yarn >= 0) {
+      ++strand.pixels;
+      sum += y + 0.5;
+    }
+  strand.middle = sum / std::max(1, strand.pixels);
+  return strand;
 }
 
 // The finest, one between and the coarsest: it runs through the middle from one side to the other, and cloth is seen
@@ -41,8 +51,10 @@ TEST(YarnCloseUp, ShowsEachYarnAsAStrandAcrossThePicture) {
     ASSERT_TRUE(renderUpTo(1, *scene, *medium, CameraRays(closeUp->camera, kWidth, kHeight), film, task).complete);
     // The picture is 2.4 diameters high; rays pass between the fibres of a soft yarn, and hairs stand off it.
     for (const int x : {0, kWidth / 2, kWidth - 1}) {
-      EXPECT_GE(fibresIn(film, x), kHeight / 5) << x;
-      EXPECT_LE(fibresIn(film, x), 4 * kHeight / 5) << x;
+      const Strand strand = strandIn(film, x);
+      EXPECT_GE(strand.pixels, kHeight / 5) << x;
+      EXPECT_LE(strand.pixels, 4 * kHeight / 5) << x;
+      EXPECT_NEAR(strand.middle, kHeight / 2.0, kHeight / 5.0) << x;
     }
   }
 }
