@@ -48,13 +48,11 @@ void addFabricOptions(CLI::App& app, FabricOptions& options) {
   addValue(app, "--grain", "DEG",
            "how far the warp is turned to the left of the length of a drape that is not flat: 45 is the bias",
            [&options](const auto& option, const auto& text) {
-             const FieldInfo info = fieldInfo(&Drape::grain_deg);
-             options.grain_deg = parseNumber(option, text, info.min, info.max);
+             options.grain_deg = parseField(option, text, &Drape::grain_deg);
            });
   addValue(app, "--uv-scale", "MM", "millimetres of cloth per unit of a mesh's texture coordinates",
            [&options](const auto& option, const auto& text) {
-             const FieldInfo info = fieldInfo(&Drape::uvScale_mm);
-             options.uvScale_mm = parseNumber(option, text, info.min, info.max);
+             options.uvScale_mm = parseField(option, text, &Drape::uvScale_mm);
            });
   addResolution(app, options);
 }
@@ -95,8 +93,7 @@ void addPictureOptions(CLI::App& app, FabricOptions& options) {
   addTraceOptions(app, options, "samples per pixel");
   addValue(app, "--temperature", "K", "colour of the light: 2700 a warm lamp, 6500 as it is, 9000 a blue sky",
            [&options](const auto& option, const auto& text) {
-             const FieldInfo info = fieldInfo(&Light::temperature_K);
-             options.temperature_K = parseNumber(option, text, info.min, info.max);
+             options.temperature_K = parseField(option, text, &Light::temperature_K);
            });
   addValue(
       app, "--illuminant", "NAME|KELVIN|FILE",

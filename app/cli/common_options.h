@@ -28,6 +28,12 @@ void addValue(CLI::App& app, const std::string& name, const std::string& value, 
 void addValues(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
                const Setter& set);
 
+/// A number, or a whole one, within the bounds of a fabric's field.
+template <class Object>
+double parseField(const std::string& option, const std::string& text, double Object::* member) {
+  const FieldInfo info = fieldInfo(member);
+  return parseNumber(option, text, info.min, info.max);
+}
 template <class Object, class Number>
 int parseWholeField(const std::string& option, const std::string& text, Number Object::* member) {
   const FieldInfo info = fieldInfo(member);

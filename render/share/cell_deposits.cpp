@@ -10,12 +10,12 @@ void CellDeposits::sample(size_t tile, int x, int y, const Ray& ray, const Colli
   Tile& own = tiles_[tile];
   const auto pixel = static_cast<uint32_t>(ofPixels_ ? hits_.pixelAt(x, y) : 0);
   if (!first) {
-    if (ofPixels_) own.deposits.push_back({pixel, FirstHits::missed(scene_, ray), Rgb(0)});
+    if (ofPixels_ && !hits_.isFull(pixel)) own.deposits.push_back({pixel, FirstHits::missed(scene_, ray), Rgb(0)});
     return;
   }
   const LightCellPath path = own.keys.of(*first);
   const auto cell = cells_.find(path);
-  own.deposits.push_back({pixel, cell.value_or(kNew), sample.direct + sample.indirect});
+  own.deposits.push_back({pixel, cell.value_or(FirstHits::kNew), sample.direct + sample.indirect});
   if (!cell) own.fresh.push_back(path);
 }
 
@@ -23,7 +23,7 @@ void CellDeposits::settle() {
   for (const Tile& tile : tiles_) {
     auto fresh = tile.fresh.begin();
     for (const Deposit& one : tile.deposits) {
-      const uint32_t cell = one.cell == kNew ? cells_.add(*fresh++) : one.cell;
+      const uint32_t cell = one.cell == FirstHits::kNew ? cells_.add(*fresh++) : one.cell;
       if (FirstHits::isCell(cell)) cells_.deposit(cell, one.colour);
       if (ofPixels_) hits_.put(one.pixel, cell);
     }

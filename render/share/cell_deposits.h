@@ -23,10 +23,9 @@ class CellDeposits final : public FirstFibreSink {
   void settle();
 
  private:
-  static constexpr uint32_t kNew = FirstHits::kThrough - 1;
   struct Deposit {
     uint32_t pixel;
-    uint32_t cell;  ///< kNew: the next of the tile's new paths
+    uint32_t cell;  ///< FirstHits::kNew: the next of the tile's new paths
     Rgb colour;
   };
   struct Tile {

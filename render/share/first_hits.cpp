@@ -38,9 +38,8 @@ class FirstFibre final : public PathSink {
 /// A path of a strip, and what it met.
 struct StripHit {
   size_t pixel;
-  uint32_t cell;  ///< kNew: the next of the strip's new paths
+  uint32_t cell;  ///< FirstHits::kNew: the next of the strip's new paths
 };
-constexpr uint32_t kNew = FirstHits::kThrough - 1;
 
 struct Strip {
   std::vector<StripHit> hits;
@@ -84,7 +83,7 @@ class StripTracer {
     const float jx = random.uniform(), jy = random.uniform();
     const LightCellPath path = keys_.of(met, glm::vec2(jx, jy) - 0.5f);
     const auto cell = cells_.find(path);
-    strip_.hits.push_back({pixel, cell.value_or(kNew)});
+    strip_.hits.push_back({pixel, cell.value_or(FirstHits::kNew)});
     if (!cell) strip_.fresh.push_back(path);
   }
 
@@ -154,7 +153,7 @@ bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& ce
   if (task.stopped()) return false;
   for (const Strip& strip : strips) {
     auto fresh = strip.fresh.begin();
-    for (const StripHit& hit : strip.hits) put(hit.pixel, hit.cell == kNew ? cells.add(*fresh++) : hit.cell);
+    for (const StripHit& hit : strip.hits) put(hit.pixel, hit.cell == FirstHits::kNew ? cells.add(*fresh++) : hit.cell);
   }
   nextRow_ = end < height_ ? end : 0;
   if (nextRow_ == 0) have_ = coming_;

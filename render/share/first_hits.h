@@ -22,6 +22,7 @@ class FirstHits {
   static constexpr size_t kLimit_bytes = size_t{64} << 20;  ///< ...they would take more than this
   static constexpr uint32_t kPast = ~0u;                    ///< past the cloth
   static constexpr uint32_t kThrough = kPast - 1;           ///< through the cloth, between its fibres
+  static constexpr uint32_t kNew = kThrough - 1;            ///< a cell that has no number yet
 
   FirstHits(int width, int height);
 
@@ -36,9 +37,10 @@ class FirstHits {
              double budget_s = std::numeric_limits<double>::infinity());
   /// Another one, of a path that has been traced for its light; forgotten where the pixel has enough.
   void put(size_t pixel, uint32_t cell) {
-    if (counts_[pixel] < most_) cells_[pixel * most_ + counts_[pixel]++] = cell;
+    if (!isFull(pixel)) cells_[pixel * most_ + counts_[pixel]++] = cell;
   }
   static bool isCell(uint32_t hit) { return hit < kThrough; }
+  bool isFull(size_t pixel) const { return counts_[pixel] >= most_; }
   /// kPast or kThrough, of a ray that met no fibre.
   static uint32_t missed(const Scene& scene, const Ray& ray);
   /// A cell, kPast or kThrough each.

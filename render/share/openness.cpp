@@ -36,12 +36,10 @@ struct Spread {
 Openness::Openness(std::span<const ClothRays> pixels, int width, int height, int threads)
     : pixels_(pixels), width_(width), height_(height), rows_(pixels.size()) {
   parallelFor(static_cast<size_t>(height), threads, [&](size_t row) {
-    const std::span<const ClothRays> own = pixels.subspan(row * static_cast<size_t>(width), static_cast<size_t>(width));
-    for (int x = 0; x < width; ++x) {
-      ClothRays& sum = rows_[row * static_cast<size_t>(width) + static_cast<size_t>(x)];
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < width; ++x)
       for (int u = std::max(0, x - kReach); u <= std::min(width - 1, x + kReach); ++u)
-        add(sum, own[static_cast<size_t>(u)]);
-    }
+        add(rows_[indexOf(x, y)], pixels[indexOf(u, y)]);
   });
   worth_ = worthOfAround(threads);
 }
@@ -49,9 +47,8 @@ Openness::Openness(std::span<const ClothRays> pixels, int width, int height, int
 /// All within reach but the pixel itself.
 ClothRays Openness::around(int x, int y) const {
   ClothRays sum;
-  for (int v = std::max(0, y - kReach); v <= std::min(height_ - 1, y + kReach); ++v)
-    add(sum, rows_[static_cast<size_t>(v) * static_cast<size_t>(width_) + static_cast<size_t>(x)]);
-  const ClothRays& own = pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+  for (int v = std::max(0, y - kReach); v <= std::min(height_ - 1, y + kReach); ++v) add(sum, rows_[indexOf(x, v)]);
+  const ClothRays& own = pixels_[indexOf(x, y)];
   return {sum.in - own.in, sum.through - own.through};
 }
 
@@ -59,7 +56,7 @@ float Openness::worthOfAround(int threads) const {
   std::vector<Spread> rows(static_cast<size_t>(height_));
   parallelFor(rows.size(), threads, [&](size_t row) {
     for (int x = 0; x < width_; ++x) {
-      const ClothRays& own = pixels_[row * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+      const ClothRays& own = pixels_[indexOf(x, static_cast<int>(row))];
       const ClothRays others = around(x, static_cast<int>(row));
       if (own.in == 0 || others.in == 0) continue;
       const double in = own.in, open = own.through / in;
@@ -77,7 +74,7 @@ float Openness::worthOfAround(int threads) const {
 }
 
 float Openness::at(int x, int y) const {
-  const ClothRays& own = pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+  const ClothRays& own = pixels_[indexOf(x, y)];
   if (own.in == 0) return 0;
   const ClothRays others = around(x, y);
   const float prior = others.in > 0 ? worth_ : 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,6 +32,9 @@ class Openness {
   float worthOfAround_rays() const { return worth_; }
 
  private:
+  size_t indexOf(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
+  }
   ClothRays around(int x, int y) const;
   float worthOfAround(int threads) const;
 
