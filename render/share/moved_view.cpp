@@ -1,6 +1,7 @@
 #include "render/share/moved_view.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cassert>
 #include <cmath>
@@ -111,28 +112,50 @@ float slant_mm(const DistanceMap& map, int x, int y) {
   return along(1, 0) + along(0, 1);
 }
 
-/// Between the centres of pixels, `x` and `y` from the top left; of pixels that `isSame`, the one at this place among
-/// them.
+/// The four pixels whose centres are around a place, `x` and `y` from the top left, the one at this place among them;
+/// each as its index and by how much it counts for there.
+struct Around {
+  Around(int width, int height, float x, float y) {
+    const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
+    const float across = x - 0.5f - left, down = y - 0.5f - top;
+    for (const int v : {0, 1})
+      for (const int u : {0, 1})
+        pixels[static_cast<size_t>(2 * v + u)] = {indexIn(width, std::clamp(static_cast<int>(left) + u, 0, width - 1),
+                                                          std::clamp(static_cast<int>(top) + v, 0, height - 1)),
+                                                  (u ? across : 1 - across) * (v ? down : 1 - down)};
+  }
+
+  std::array<std::pair<size_t, float>, 4> pixels;
+};
+
+/// The pixel that shows what is at a place: `nearest`, where it sees past the cloth or the cloth that `isHere`, or else
+/// one of those around, as through cloth that is open single pixels show what lies behind it. None where another cloth
+/// stood before it.
+template <class IsHere>
+std::optional<size_t> pixelOf(const Frame& earlier, size_t nearest, const Around& around, const IsHere& isHere) {
+  if (earlier.hits[nearest].yarn < 0 || isHere(nearest)) return nearest;
+  for (const auto& [i, weight] : around.pixels)
+    if (weight > 0 && isHere(i)) return i;
+  return std::nullopt;
+}
+
+/// The mean over those of the four that are `isSame`, of which there are some.
 template <class IsSame>
-glm::vec4 between(std::span<const glm::vec4> picture, int width, int height, float x, float y, const IsSame& isSame) {
-  const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
+glm::vec4 between(std::span<const glm::vec4> picture, const Around& around, const IsSame& isSame) {
   glm::vec4 sum(0);
   float weights = 0;
-  for (const int v : {0, 1})
-    for (const int u : {0, 1}) {
-      const size_t i = indexIn(width, std::clamp(static_cast<int>(left) + u, 0, width - 1),
-                               std::clamp(static_cast<int>(top) + v, 0, height - 1));
-      if (!isSame(i)) continue;
-      const float across = x - 0.5f - left, down = y - 0.5f - top;
-      const float weight = (u ? across : 1 - across) * (v ? down : 1 - down);
-      sum += weight * picture[i];
-      weights += weight;
-    }
+  for (const auto& [i, weight] : around.pixels) {
+    if (!isSame(i)) continue;
+    sum += weight * picture[i];
+    weights += weight;
+  }
   return sum / weights;
 }
 
 /// The square of how much the light of one path varies, as a share of that of the picture. What neighbours differ in is
-/// noise and what a pixel's own texture adds, as light itself moves slowly over the picture.
+/// noise and what a pixel's own texture adds, as light itself moves slowly over the picture. How much cloth they show
+/// is chance, too, so each is compared as if it showed as much as both together (block_gains.h): all is in proportion
+/// to the square of that.
 float relativeNoise2(const SharedPicture& picture, const Film& film) {
   double apart = 0, texture = 0, light = 0;
   for (int y = 0; y < picture.height; ++y)
@@ -145,8 +168,9 @@ float relativeNoise2(const SharedPicture& picture, const Film& film) {
       const Rgb both = difference(x, right) - difference(x - 1, left);
       apart += glm::dot(both, both);
       for (const size_t i : {left, right}) {
-        texture += picture.variances[i];
-        light += glm::dot(picture.light[i], picture.light[i]);
+        const float alpha2 = picture.alpha[i] * picture.alpha[i];
+        texture += alpha2 * picture.variances[i];
+        light += alpha2 * glm::dot(picture.light[i], picture.light[i]);
       }
     }
   return light > 0 ? static_cast<float>(std::max(0.0, apart - texture) / light) : 0.0f;
@@ -174,17 +198,19 @@ MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRa
       const auto then = from.project(ray.origin + distance_mm * ray.direction);
       if (!then || !isWithin(earlier, *then)) continue;
       const float reach_mm = thickness_mm + slant_mm(map, u, v);
-      Film::Hit hit = earlier.hits[indexIn(width, static_cast<int>(then->x), static_cast<int>(then->y))];
+      const auto isHere = [&](size_t i) {
+        return earlier.hits[i].yarn >= 0 && std::abs(earlier.hits[i].depth_mm - then->distance_mm) <= reach_mm;
+      };
+      const Around around(width, height, then->x, then->y);
+      const auto shown =
+          pixelOf(earlier, indexIn(width, static_cast<int>(then->x), static_cast<int>(then->y)), around, isHere);
+      if (!shown) continue;
+      Film::Hit hit = earlier.hits[*shown];
       // Beyond an edge there may be cloth by now that was hidden then.
       if (hit.yarn < 0 && !seen.has(u, v)) continue;
-      if (hit.yarn >= 0 && std::abs(hit.depth_mm - then->distance_mm) > reach_mm) continue;
-      const auto isSame = [&](size_t i) {
-        const Film::Hit& other = earlier.hits[i];
-        return (other.yarn < 0) == (hit.yarn < 0) &&
-               (hit.yarn < 0 || std::abs(other.depth_mm - then->distance_mm) <= reach_mm);
-      };
+      const auto isSame = [&](size_t i) { return hit.yarn < 0 ? earlier.hits[i].yarn < 0 : isHere(i); };
       const size_t i = indexIn(width, x, y);
-      view.light[i] = between(earlier.plain(), width, height, then->x, then->y, isSame);
+      view.light[i] = between(earlier.plain(), around, isSame);
       if (hit.yarn >= 0) hit.depth_mm = distance_mm;
       view.hits[i] = hit;
       view.kept[i] = 1;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/random.h"
+
 namespace loomlight {
 namespace {
 
@@ -198,6 +200,49 @@ TEST(MovedView, IsBrightenedToTheFilm) {
     wanted += 2 * before[i].g;
   }
   EXPECT_NEAR(sum / wanted, 1, 0.1);
+}
+
+// A film of one path a pixel, of cloth that is open: either it meets a fibre or it does not, and it brings light or
+// none. Nothing is brighter than it was.
+TEST(MovedView, IsNotBrightenedByNoiseOfOpenCloth) {
+  constexpr int kDivider = 2;
+  constexpr float kCloth = 0.3f;
+  const CameraRays from = raysAt(-90);
+  MovedView view = movedView(Painted{}.seenBy(from), from, from, kThickness_mm, 1);
+  std::ranges::fill(view.light, glm::vec4(kCloth));
+  Random random(3);
+  Film film(kColumns / kDivider, kRows / kDivider);
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      PathSample sample;
+      if (random.uniform() < kCloth) {
+        sample.alpha = 1;
+        sample.direct = Rgb(random.below(2) == 0 ? 0.0f : 2.0f);
+      }
+      film.add(x, y, 0, sample);
+    }
+  brightenTo(view, film, kDivider, 1);
+  double square = 0;
+  for (const glm::vec4& light : view.light)
+    square += std::pow(light.g / kCloth - 1, 2) / static_cast<double>(view.light.size());
+  EXPECT_LT(std::sqrt(square), 0.1);
+}
+
+// Seen through a cloth that is open, what lies behind it is not there from elsewhere. The pixels around show the cloth.
+TEST(MovedView, ShowsTheClothWhereSinglePixelsSeeThroughIt) {
+  const CameraRays from = raysAt(-90), to = raysAt(-88);
+  const Frame whole = Painted{}.seenBy(from);
+  Frame open = whole;
+  Random random(4);
+  for (Film::Hit& hit : open.hits)
+    if (random.below(10) == 0) hit.depth_mm += 20 * kThickness_mm;
+  const MovedView closed = movedView(whole, from, to, kThickness_mm, 1);
+  const MovedView view = movedView(open, from, to, kThickness_mm, 1);
+  EXPECT_GT(keptOf(view), 0.99 * static_cast<double>(keptOf(closed)));
+  for (size_t i = 0; i < view.kept.size(); ++i)
+    if (view.kept[i] && closed.kept[i]) {
+      EXPECT_LT(glm::distance(view.light[i], closed.light[i]), 0.5f) << "pixel " << i;
+    }
 }
 
 }  // namespace
