@@ -73,6 +73,11 @@ class CellMeans {
   struct Mean {
     Rgb colour{0};
     float square = 0;  ///< expected |colour|^2 of one path
+
+    void operator+=(const Mean& other) {
+      colour += other.colour;
+      square += other.square;
+    }
   };
   const Mean& operator[](uint32_t cell) const { return means_[cell]; }
   /// How many paths of its own a cell of this level needs, to count for as much as the one that it lies in.

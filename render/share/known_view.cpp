@@ -5,12 +5,13 @@
 #include "core/base/parallel.h"
 #include "render/scene/camera_rays.h"
 #include "render/share/block_gains.h"
+#include "render/share/seen_fibres.h"
 #include "render/transport/path_tracer.h"
 
 // How it works. A path through each pixel ends at its first fibre. Of the cells that this lies in, the finest that is
-// known says what light comes from there, and how much that of single paths varies. A film of fewer pixels, whose paths
-// have found the light of this very view, is compared with the mean over so many pixels, block by block
-// (block_gains.h).
+// known says what light comes from there, and how much that of single paths varies; how many paths go through between
+// the fibres is known from the pixels around as well (seen_fibres.h). A film of fewer pixels, whose paths have found
+// the light of this very view, is compared with the mean over so many pixels, block by block (block_gains.h).
 
 namespace loomlight {
 namespace {
@@ -24,8 +25,8 @@ class EndsAtFirstFibre final : public PathSink {
 
 std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells, int width,
                                    int height, const Task& task) {
-  KnownView view{SharedPicture(width, height), {}};
-  view.hits.resize(view.picture.light.size());
+  SeenFibres seen(width, height);
+  std::vector<Film::Hit> hits(static_cast<size_t>(width) * static_cast<size_t>(height));
   constexpr int kStripRows = 4;  // that one thread does at a time
   const CellMeans means(cells);
   const CameraRays camera(scene.fabric->camera, width, height);
@@ -41,22 +42,22 @@ std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, con
       for (int x = 0; x < width; ++x) paths.push_back({x, y, 0, &end});
     if (!tracer.trace(paths, counts, &task)) return;
     for (size_t i = 0; i < paths.size(); ++i) {
-      const Collision* const first = tracer.first(i);
-      if (!first) continue;
       const auto& [x, y, index, listener] = paths[i];
       const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
-      view.hits[pixel] = {first->yarn, first->end, first->pick, first->distance_mm};
-      view.picture.alpha[pixel] = 1;
+      const Collision* const first = tracer.first(i);
+      if (!first) {
+        seen.misses(pixel, FirstHits::missed(scene, tracer.ray(i)) == FirstHits::kThrough);
+        continue;
+      }
+      hits[pixel] = {first->yarn, first->end, first->pick, first->distance_mm};
       Random random(hashCombine(hashCombine(scene.sampling.seed, x), y), 0);
       const float jx = random.uniform(), jy = random.uniform();
       const auto cell = cells.nearest(keys.of(*first, glm::vec2(jx, jy) - 0.5f));
-      if (!cell) continue;
-      const CellMeans::Mean& mean = means[*cell];
-      view.picture.light[pixel] = mean.colour;
-      view.picture.variances[pixel] = std::max(0.0f, mean.square - glm::dot(mean.colour, mean.colour));
+      seen.meets(pixel, cell ? means[*cell] : CellMeans::Mean{});
     }
   });
-  return task.stopped() ? std::nullopt : std::optional(std::move(view));
+  if (task.stopped()) return std::nullopt;
+  return KnownView{seen.picture(task.threads), std::move(hits)};
 }
 
 void brightenTo(SharedPicture& picture, const Film& coarse, int finer, int threads) {

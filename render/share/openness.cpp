@@ -6,7 +6,7 @@
 
 // How it works. What is around a pixel are all others within a square. Two rays of one pixel differ by the chance that
 // is in each, s^2; a pixel and its surroundings by that and by how unlike they are, t^2. What is around is worth s^2 /
-// t^2 rays. While no pixel has two rays, there is no telling, and each has its own alone.
+// t^2 rays. While no pixel has two rays, blocks of four pixels tell.
 
 namespace loomlight {
 namespace {
@@ -66,11 +66,23 @@ float Openness::worthOfAround(int threads) const {
   });
   Spread all;  // row by row, so that they are the same from any number of threads
   for (const Spread& row : rows) all += row;
-  if (all.withinFreedom < 1) return 0;
+  if (all.withinFreedom < 1) return worthOfBlocks(threads);
   constexpr double kMost = 1000;
   const double within = all.within / all.withinFreedom;
   const double between = std::max(0.0, (all.apart2 - within * all.chance) / all.pixels);
   return static_cast<float>(within < kMost * between ? within / between : kMost);
+}
+
+/// As it is of pixels twice as wide, which have several rays where those have one.
+float Openness::worthOfBlocks(int threads) const {
+  if (width_ <= 1 && height_ <= 1) return 0;
+  const int width = (width_ + 1) / 2, height = (height_ + 1) / 2;
+  std::vector<ClothRays> blocks(static_cast<size_t>(width) * static_cast<size_t>(height));
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x)
+      add(blocks[static_cast<size_t>(y / 2) * static_cast<size_t>(width) + static_cast<size_t>(x / 2)],
+          pixels_[indexOf(x, y)]);
+  return Openness(blocks, width, height, threads).worthOfAround_rays();
 }
 
 float Openness::at(int x, int y) const {

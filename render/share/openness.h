@@ -18,7 +18,8 @@ struct ClothRays {
 /// picture whose openings are wider than its pixels, each stays as it is.
 ///
 /// Rays are taken for independent. Those of one pixel are spread evenly over it, so that they know openings about as
-/// wide as the pixel better than they are trusted with.
+/// wide as the pixel better than they are trusted with. Where each pixel has one ray alone, openings must be wider than
+/// two pixels to be told from chance.
 class Openness {
  public:
   static constexpr int kReach = 3;  ///< pixels to each side: some fifty pixels are of nearly the same openness
@@ -37,6 +38,7 @@ class Openness {
   }
   ClothRays around(int x, int y) const;
   float worthOfAround(int threads) const;
+  float worthOfBlocks(int threads) const;
 
   std::span<const ClothRays> pixels_;
   int width_, height_;

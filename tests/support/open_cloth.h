@@ -17,4 +17,15 @@ inline Fabric openCloth() {
   return fabric;
 }
 
+/// Cloth that is open, from straight above, so far away that pixels are wider than its openings and it fills the
+/// picture.
+inline Fabric farAndOpen() {
+  Fabric far = openCloth();
+  far.ends_per_cm = far.picks_per_cm = 10;
+  far.drape.width_mm = far.drape.height_mm = 160;
+  far.camera.elevation_deg = 90;
+  far.camera.distance_mm = 240;  // a pixel of 32 is 2.6 mm, of as many threads
+  return far;
+}
+
 }  // namespace loomlight::test

@@ -63,12 +63,21 @@ TEST(Openness, FollowsWhatChangesSlowly) {
   EXPECT_LT(rmsError(Openness(pixels, kSide, kSide, 2), slope), 0.055);
 }
 
-TEST(Openness, OfSingleRaysIsAsItIs) {
-  const std::vector<ClothRays> pixels = raysThrough(1, [](int, int) { return 0.3; });
-  const Openness openness(pixels, kSide, kSide, 2);
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
-      ASSERT_EQ(openness.at(x, y), static_cast<float>(pixels[static_cast<size_t>(y * kSide + x)].through));
+// Blocks of four pixels stand in for pixels of four rays.
+TEST(Openness, OfSingleRaysIsToldByBlocks) {
+  constexpr double kOpen = 0.3;
+  const auto alike = [](int, int) { return kOpen; };
+  const std::vector<ClothRays> fewRays = raysThrough(1, alike);
+  EXPECT_LT(rmsError(Openness(fewRays, kSide, kSide, 2), alike), 1.5 * std::sqrt(kOpen * (1 - kOpen) / 48));
+  // Where all of a block is alike, each ray is right.
+  const auto checked = [](int x, int y) { return (x / 8 + y / 8) % 2 == 0 ? 1.0 : 0.0; };
+  const std::vector<ClothRays> clearRays = raysThrough(1, checked);
+  EXPECT_EQ(rmsError(Openness(clearRays, kSide, kSide, 2), checked), 0);
+}
+
+TEST(Openness, OfASingleRayIsItsOwn) {
+  const std::vector<ClothRays> one{{1, 1}};
+  EXPECT_EQ(Openness(one, 1, 1, 1).at(0, 0), 1);
 }
 
 TEST(Openness, BesideTheClothIsNone) {

@@ -31,16 +31,6 @@ Fabric dyed(Fabric fabric) {
   return fabric;
 }
 
-/// Each pixel shows some threads and the slits between them.
-Fabric farAndOpen() {
-  Fabric far = test::openCloth();
-  far.ends_per_cm = far.picks_per_cm = 10;
-  far.drape.width_mm = far.drape.height_mm = 160;
-  far.camera.elevation_deg = 90;
-  far.camera.distance_mm = 240;  // a pixel is 2.6 mm, of as many threads
-  return far;
-}
-
 Task threads(int count) {
   Task task;
   task.threads = count;
@@ -120,7 +110,7 @@ TEST(SharedLight, IsTheSameFromAnyNumberOfThreads) {
 
 // A pixel whose rays all go through a cloth that is open around it shows some of what they miss.
 TEST(SharedLight, OfAWhiteFurnaceIsExactlyWhite) {
-  Fabric open = farAndOpen();
+  Fabric open = test::farAndOpen();
   open.fibres[0].absorption_per_mm = Rgb(0.0f);
   open.light.kind = LightKind::furnace;
   for (const Fabric& fabric : {cloth(LightKind::furnace), open}) {
@@ -151,7 +141,7 @@ TEST(SharedLight, KeepsTheMeanOfTheFilm) {
 // Two rays through a pixel of open cloth leave dots of what is behind it; the pixels around know as much of its
 // openings.
 TEST(SharedLight, OfAnOpenClothHasNoDots) {
-  const Fabric far = farAndOpen();
+  const Fabric far = test::farAndOpen();
   Picture picture(far), converged(far);
   ASSERT_TRUE(picture.light->addHits(2, threads(2)));
   picture.trace(1, 2);

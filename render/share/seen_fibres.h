@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/share/cell_sums.h"
+#include "render/share/openness.h"
+#include "render/share/shared_picture.h"
+
+namespace loomlight {
+
+/// What the rays through each pixel of a picture met first, and the picture of cells that this makes. Pixels may be
+/// told of from several threads, each from one.
+class SeenFibres {
+ public:
+  SeenFibres(int width, int height);
+
+  /// A ray met a fibre, from whose cell such light comes; of light that is not known, none.
+  void meets(size_t pixel, const CellMeans::Mean& light);
+  /// A ray met none: it went through the cloth, or past it.
+  void misses(size_t pixel, bool through);
+
+  /// How open pixels are is known from those around them as well (openness.h), and so are their fibres where all of
+  /// their own rays went through.
+  SharedPicture picture(int threads) const;
+
+ private:
+  size_t indexOf(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
+  }
+  CellMeans::Mean fibresNear(int x, int y) const;
+
+  int width_, height_;
+  // Row by row from the top left.
+  std::vector<ClothRays> rays_;
+  std::vector<uint32_t> past_;           ///< rays past the cloth
+  std::vector<CellMeans::Mean> fibres_;  ///< sums over rays that met one
+};
+
+}  // namespace loomlight
