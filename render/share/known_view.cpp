@@ -1,10 +1,12 @@
 #include "render/share/known_view.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "render/scene/camera_rays.h"
 #include "render/share/block_gains.h"
+#include "render/share/first_hits.h"
 #include "render/share/seen_fibres.h"
 #include "render/transport/path_tracer.h"
 

@@ -12,11 +12,12 @@
 
 namespace loomlight {
 
-/// A view in light that is known before paths are traced for it, from the picture before an edit. Each pixel shows
-/// one first fibre, which costs a fraction of a path.
+/// A view in light that is known before paths are traced for it, from the picture before an edit. Each pixel
+/// looks for one first fibre, which costs a fraction of a path; how open the cloth is there, and its light where there
+/// was no fibre, comes from the pixels around.
 struct KnownView {
   SharedPicture picture;
-  std::vector<Film::Hit> hits;  ///< of each pixel
+  std::vector<Film::Hit> hits;  ///< of each pixel; without a yarn where its ray went through the cloth or past it
 };
 
 /// None when stopped. A pure function of its arguments, whatever the threads.

@@ -128,15 +128,27 @@ struct Around {
   std::array<std::pair<size_t, float>, 4> pixels;
 };
 
-/// The pixel that shows what is at a place: `nearest`, where it sees past the cloth or the cloth that `isHere`, or else
-/// one of those around, as through cloth that is open single pixels show what lies behind it. None where another cloth
-/// stood before it.
-template <class IsHere>
-std::optional<size_t> pixelOf(const Frame& earlier, size_t nearest, const Around& around, const IsHere& isHere) {
-  if (earlier.hits[nearest].yarn < 0 || isHere(nearest)) return nearest;
+/// Whether a pixel shows cloth that is about so far away.
+bool isAt(float distance_mm, float reach_mm, const Film::Hit& hit) {
+  return hit.yarn >= 0 && std::abs(hit.depth_mm - distance_mm) <= reach_mm;
+}
+
+/// The pixel of the earlier picture that shows what is about so far away at a place. That is `nearest`, where it shows
+/// cloth there, or none at all. Where it shows cloth further away, which is seen through the openings of a nearer one,
+/// it is the closest of those around that shows cloth there. There is none where something nearer stood in the way.
+std::optional<size_t> pixelOf(const Frame& earlier, size_t nearest, const Around& around, float distance_mm,
+                              float reach_mm) {
+  const Film::Hit& hit = earlier.hits[nearest];
+  if (hit.yarn < 0 || isAt(distance_mm, reach_mm, hit)) return nearest;
+  if (hit.depth_mm < distance_mm) return std::nullopt;
+  std::optional<size_t> closest;
+  float most = 0;
   for (const auto& [i, weight] : around.pixels)
-    if (weight > 0 && isHere(i)) return i;
-  return std::nullopt;
+    if (weight > most && isAt(distance_mm, reach_mm, earlier.hits[i])) {
+      closest = i;
+      most = weight;
+    }
+  return closest;
 }
 
 /// The mean over those of the four that are `isSame`, of which there are some.
@@ -153,9 +165,10 @@ glm::vec4 between(std::span<const glm::vec4> picture, const Around& around, cons
 }
 
 /// The square of how much the light of one path varies, as a share of that of the picture. What neighbours differ in is
-/// noise and what a pixel's own texture adds, as light itself moves slowly over the picture. How much cloth they show
-/// is chance, too, so each is compared as if it showed as much as both together (block_gains.h): all is in proportion
-/// to the square of that.
+/// noise and what a pixel's own texture adds, as light itself moves slowly over the picture. Film and picture are each
+/// multiplied by how much cloth the other one shows (block_gains.h), so that the noise of the film is multiplied by the
+/// picture's alpha, and its variance by the square of that; texture and light are weighted alike.
+/// `film`: of one path a pixel.
 float relativeNoise2(const SharedPicture& picture, const Film& film) {
   double apart = 0, texture = 0, light = 0;
   for (int y = 0; y < picture.height; ++y)
@@ -198,17 +211,16 @@ MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRa
       const auto then = from.project(ray.origin + distance_mm * ray.direction);
       if (!then || !isWithin(earlier, *then)) continue;
       const float reach_mm = thickness_mm + slant_mm(map, u, v);
-      const auto isHere = [&](size_t i) {
-        return earlier.hits[i].yarn >= 0 && std::abs(earlier.hits[i].depth_mm - then->distance_mm) <= reach_mm;
-      };
       const Around around(width, height, then->x, then->y);
-      const auto shown =
-          pixelOf(earlier, indexIn(width, static_cast<int>(then->x), static_cast<int>(then->y)), around, isHere);
+      const size_t nearest = indexIn(width, static_cast<int>(then->x), static_cast<int>(then->y));
+      const auto shown = pixelOf(earlier, nearest, around, then->distance_mm, reach_mm);
       if (!shown) continue;
       Film::Hit hit = earlier.hits[*shown];
       // Beyond an edge there may be cloth by now that was hidden then.
       if (hit.yarn < 0 && !seen.has(u, v)) continue;
-      const auto isSame = [&](size_t i) { return hit.yarn < 0 ? earlier.hits[i].yarn < 0 : isHere(i); };
+      const auto isSame = [&](size_t i) {
+        return hit.yarn < 0 ? earlier.hits[i].yarn < 0 : isAt(then->distance_mm, reach_mm, earlier.hits[i]);
+      };
       const size_t i = indexIn(width, x, y);
       view.light[i] = between(earlier.plain(), around, isSame);
       if (hit.yarn >= 0) hit.depth_mm = distance_mm;

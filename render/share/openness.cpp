@@ -6,7 +6,8 @@
 
 // How it works. What is around a pixel are all others within a square. Two rays of one pixel differ by the chance that
 // is in each, s^2; a pixel and its surroundings by that and by how unlike they are, t^2. What is around is worth s^2 /
-// t^2 rays. While no pixel has two rays, blocks of four pixels tell.
+// t^2 rays. While hardly any pixel has two rays, both are estimated from blocks of 2 x 2 pixels, or from larger ones
+// where these have one ray each as well.
 
 namespace loomlight {
 namespace {
@@ -66,7 +67,9 @@ float Openness::worthOfAround(int threads) const {
   });
   Spread all;  // row by row, so that they are the same from any number of threads
   for (const Spread& row : rows) all += row;
-  if (all.withinFreedom < 1) return worthOfBlocks(threads);
+  constexpr double kEnough = 0.1;  // of the pixels: fewer could tell that no ray differs from another, by chance
+  if (all.pixels < 1) return 0;
+  if (all.withinFreedom < kEnough * all.pixels) return worthOfBlocks(threads);
   constexpr double kMost = 1000;
   const double within = all.within / all.withinFreedom;
   const double between = std::max(0.0, (all.apart2 - within * all.chance) / all.pixels);

@@ -18,8 +18,8 @@ struct ClothRays {
 /// picture whose openings are wider than its pixels, each stays as it is.
 ///
 /// Rays are taken for independent. Those of one pixel are spread evenly over it, so that they know openings about as
-/// wide as the pixel better than they are trusted with. Where each pixel has one ray alone, openings must be wider than
-/// two pixels to be told from chance.
+/// wide as the pixel better than they are trusted with. Where each pixel has one ray alone, openings that are
+/// no wider than two pixels cannot be told from chance, and are shown as open as they are together.
 class Openness {
  public:
   static constexpr int kReach = 3;  ///< pixels to each side: some fifty pixels are of nearly the same openness

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -9,15 +10,15 @@
 
 namespace loomlight {
 
-/// What the rays through each pixel of a picture met first, and the picture of cells that this makes. Pixels may be
-/// told of from several threads, each from one.
+/// What the rays through each pixel of a picture met first, and the picture of cells that this makes. Several
+/// threads may report at once, each pixel from one of them.
 class SeenFibres {
  public:
   SeenFibres(int width, int height);
 
-  /// A ray met a fibre, from whose cell such light comes; of light that is not known, none.
+  /// A ray met a fibre, from whose cell such light comes: a Mean of zero where nothing is known of it.
   void meets(size_t pixel, const CellMeans::Mean& light);
-  /// A ray met none: it went through the cloth, or past it.
+  /// A ray met none: it went `through` the cloth, between its fibres, or else past the cloth.
   void misses(size_t pixel, bool through);
 
   /// How open pixels are is known from those around them as well (openness.h), and so are their fibres where all of

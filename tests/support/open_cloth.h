@@ -24,7 +24,7 @@ inline Fabric farAndOpen() {
   far.ends_per_cm = far.picks_per_cm = 10;
   far.drape.width_mm = far.drape.height_mm = 160;
   far.camera.elevation_deg = 90;
-  far.camera.distance_mm = 240;  // a pixel of 32 is 2.6 mm, of as many threads
+  far.camera.distance_mm = 240;  // in 32 rows a pixel is 2.6 mm high, as much as 2.6 threads
   return far;
 }
 

@@ -92,6 +92,8 @@ TEST_F(KnownViewTest, IsTheSameFromAnyNumberOfThreadsAndKnowsItsCrossings) {
   const auto one = known_->known(coarse, kFiner, threads(1)), three = known_->known(coarse, kFiner, threads(3));
   ASSERT_TRUE(one && three);
   EXPECT_EQ(one->picture.light, three->picture.light);
+  EXPECT_EQ(one->picture.alpha, three->picture.alpha);
+  EXPECT_EQ(one->picture.variances, three->picture.variances);
   for (size_t i = 0; i < one->hits.size(); ++i) {
     EXPECT_EQ(one->hits[i].end, three->hits[i].end);
     if (one->hits[i].end >= 0) {
@@ -137,7 +139,7 @@ TEST(KnownView, OfAnOpenClothHasNoDots) {
     }
   ASSERT_GT(open, 0.1);
   ASSERT_LT(open, 0.9);
-  // Of one ray the variance is open (1 - open).
+  // Of one ray the variance is open (1 - open), and dots have half of their contrast where it is a quarter of that.
   EXPECT_LT(apart2, open * (1 - open) / 4);
 }
 

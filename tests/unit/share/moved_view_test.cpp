@@ -234,14 +234,19 @@ TEST(MovedView, ShowsTheClothWhereSinglePixelsSeeThroughIt) {
   const Frame whole = Painted{}.seenBy(from);
   Frame open = whole;
   Random random(4);
-  for (Film::Hit& hit : open.hits)
-    if (random.below(10) == 0) hit.depth_mm += 20 * kThickness_mm;
+  for (size_t i = 0; i < open.hits.size(); ++i)
+    if (random.below(10) == 0) {
+      open.hits[i].depth_mm += 20 * kThickness_mm;
+      open.rgba[i] = {0, 0, 0, 1};
+    }
   const MovedView closed = movedView(whole, from, to, kThickness_mm, 1);
   const MovedView view = movedView(open, from, to, kThickness_mm, 1);
+  // One place in ten thousand has four such pixels around it.
   EXPECT_GT(keptOf(view), 0.99 * static_cast<double>(keptOf(closed)));
+  // Paint a pixel away is another by a third at most, in each of three channels; nothing of the black is seen.
   for (size_t i = 0; i < view.kept.size(); ++i)
     if (view.kept[i] && closed.kept[i]) {
-      EXPECT_LT(glm::distance(view.light[i], closed.light[i]), 0.5f) << "pixel " << i;
+      EXPECT_LT(glm::distance(view.light[i], closed.light[i]), 0.6f) << "pixel " << i;
     }
 }
 

@@ -68,13 +68,15 @@ TEST(Openness, OfSingleRaysIsToldByBlocks) {
   constexpr double kOpen = 0.3;
   const auto alike = [](int, int) { return kOpen; };
   const std::vector<ClothRays> fewRays = raysThrough(1, alike);
+  // Around a pixel are 48 others, and a quarter of them in a corner.
   EXPECT_LT(rmsError(Openness(fewRays, kSide, kSide, 2), alike), 1.5 * std::sqrt(kOpen * (1 - kOpen) / 48));
-  // Where all of a block is alike, each ray is right.
+  // Where all of a block is alike, rays do not differ by chance (s^2 is 0), so that each is believed.
   const auto checked = [](int x, int y) { return (x / 8 + y / 8) % 2 == 0 ? 1.0 : 0.0; };
   const std::vector<ClothRays> clearRays = raysThrough(1, checked);
   EXPECT_EQ(rmsError(Openness(clearRays, kSide, kSide, 2), checked), 0);
 }
 
+// There are no blocks that are larger.
 TEST(Openness, OfASingleRayIsItsOwn) {
   const std::vector<ClothRays> one{{1, 1}};
   EXPECT_EQ(Openness(one, 1, 1, 1).at(0, 0), 1);
