@@ -118,11 +118,12 @@ struct Around {
   Around(int width, int height, float x, float y) {
     const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
     const float across = x - 0.5f - left, down = y - 0.5f - top;
+    auto* pixel = pixels.data();
     for (const int v : {0, 1})
       for (const int u : {0, 1})
-        pixels[static_cast<size_t>(2 * v + u)] = {indexIn(width, std::clamp(static_cast<int>(left) + u, 0, width - 1),
-                                                          std::clamp(static_cast<int>(top) + v, 0, height - 1)),
-                                                  (u ? across : 1 - across) * (v ? down : 1 - down)};
+        *pixel++ = {indexIn(width, std::clamp(static_cast<int>(left) + u, 0, width - 1),
+                            std::clamp(static_cast<int>(top) + v, 0, height - 1)),
+                    (u ? across : 1 - across) * (v ? down : 1 - down)};
   }
 
   std::array<std::pair<size_t, float>, 4> pixels;
