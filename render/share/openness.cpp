@@ -76,9 +76,9 @@ float Openness::worthOfAround(int threads) const {
   return static_cast<float>(within < kMost * between ? within / between : kMost);
 }
 
-/// As it is of pixels twice as wide, which have several rays where those have one.
+/// As it is of pixels twice as wide, which have several rays where those have one. This ends in a single block at the
+/// latest, as that has nothing around it.
 float Openness::worthOfBlocks(int threads) const {
-  if (width_ <= 1 && height_ <= 1) return 0;
   const int width = (width_ + 1) / 2, height = (height_ + 1) / 2;
   std::vector<ClothRays> blocks(static_cast<size_t>(width) * static_cast<size_t>(height));
   for (int y = 0; y < height_; ++y)
