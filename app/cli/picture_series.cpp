@@ -84,14 +84,6 @@ std::string nameInSeries(const std::string& pattern, const std::string& input, s
   return name;
 }
 
-bool namesFabrics(const std::string& pattern) {
-  return pattern.find(kFabricPlace) != std::string::npos;
-}
-
-bool namesFrames(const std::string& pattern) {
-  return pattern.find('#') != std::string::npos;
-}
-
 std::vector<std::string> namesInList(const std::string& file) {
   std::istringstream lines(readFile(file, kMostListBytes));
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();

@@ -36,8 +36,6 @@ Fabric inFrame(Fabric fabric, const Turntable& turn, int frame);
 /// The name of a picture of a series: in `pattern`, {} becomes the input's name without folder and ending, and the last
 /// run of # the frame's number, with zeros before it where it is shorter than the run. Without a frame, # stay.
 std::string nameInSeries(const std::string& pattern, const std::string& input, std::optional<int> frame);
-bool namesFabrics(const std::string& pattern);
-bool namesFrames(const std::string& pattern);
 
 /// The lines of a text file but empty ones and those that begin with #, as names seen from its folder; a file whose
 /// name begins with # is ./#name. Throws InputError where the text cannot be read, or names nothing.

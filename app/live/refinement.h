@@ -151,7 +151,7 @@ class Refinement {
   std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
   std::unique_ptr<SharedLight> shared_;   ///< null where none is shared
   bool knowsLight_ = false;               ///< from the picture before
-  bool isHitsTurn_ = true;                ///< and that of a coarse pass after them
+  bool isHitsTurn_ = true;                ///< the next pass begins with the first fibres of some pixels
   bool isNews_ = true;                    ///< the last step has changed what is to be seen
   /// Of coarse passes: the last that is done, and a finer one under way.
   std::vector<CoarseFilm> coarse_;

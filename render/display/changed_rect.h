@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "render/transport/path_tracer.h"
+#include "render/film/pixel_rect.h"
 
 namespace loomlight {
 

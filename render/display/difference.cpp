@@ -5,6 +5,7 @@
 
 #include "core/base/rgb.h"
 #include "render/metrics/heat_map.h"
+#include "render/transport/path_tracer.h"
 
 namespace loomlight {
 namespace {

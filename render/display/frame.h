@@ -6,7 +6,7 @@
 
 #include "render/display/preview_quality.h"
 #include "render/film/film.h"
-#include "render/transport/path_tracer.h"
+#include "render/film/pixel_rect.h"
 
 namespace loomlight {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/transport/path_tracer.h"
+#include "render/film/pixel_rect.h"
 
 namespace loomlight {
 

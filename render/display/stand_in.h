@@ -26,9 +26,9 @@ class StandIn {
   float shareAt(int x, int y, uint32_t samples) const;
   bool isFineAt(int x, int y) const;
   bool isMoved() const { return !kept_.empty(); }
-  /// How many take its place; at most so many, so that it does not linger.
-  static constexpr int kMostSamples = 4 * kClearSamples;
+  /// Of every pixel, after which nothing of it is left; at most so many, so that it does not linger.
   uint32_t samples() const { return samples_; }
+  static constexpr int kMostSamples = 4 * kClearSamples;
   const Frame& frame() const { return *earlier_; }
   bool knowsVariance() const { return !earlier_->variances.empty(); }
 

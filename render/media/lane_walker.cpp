@@ -11,6 +11,8 @@
 namespace loomlight {
 namespace {
 
+static_assert(CellLanes::kSlots == VoxelContent::kMaxSpans, "a lane has a place for every brick of a cell");
+
 void put(LaneFloats (&columns)[3], size_t lane, glm::vec3 v) {
   for (int axis = 0; axis < 3; ++axis) columns[axis][lane] = v[axis];
 }

@@ -26,7 +26,15 @@ struct TraceCounts {
   uint64_t rays = 0;         ///< flights and shadow rays
   uint64_t amongFibres = 0;  ///< of these rays: those that single fibres were asked for
   uint64_t steps = 0;        ///< voxels with content that they crossed; volume only
-  TraceCounts& operator+=(const TraceCounts& other);
+
+  TraceCounts& operator+=(const TraceCounts& other) {
+    paths += other.paths;
+    events += other.events;
+    rays += other.rays;
+    amongFibres += other.amongFibres;
+    steps += other.steps;
+    return *this;
+  }
 };
 
 /// The yarn that a fibre is of: an end of the warp, or a pick of the weft.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/fabric/model/validate.h"
 #include "render/colour/primaries.h"
 #include "render/colour/tristimulus.h"
 
@@ -53,6 +54,7 @@ void Colouring::setBands(size_t material, const Spectrum& absorption_per_mm) {
   bands_per_mm.resize(primaries_per_mm.size());
   primaries_per_mm[material] = Rgb(0);
   bands_per_mm[material] = absorption_per_mm;
+  static_assert(kMaxKinds <= 64, "each fibre of a fabric has a bit");
   knownInBands |= uint64_t{1} << material;
 }
 

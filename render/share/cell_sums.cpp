@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "render/film/fixed_point.h"
+
 // How it works. A table of open addressing finds a cell by its key; each cell knows the coarser one that it lies in,
 // and a deposit goes up from cell to cell. Sums are integers, so that threads may add in any order. The mean of a cell
 // is a compromise between its own paths and the cell that it lies in, level by level from the coarsest: how much a
@@ -13,12 +15,11 @@
 namespace loomlight {
 namespace {
 
-// 2^24 paths of the brightest light do not overflow.
+// 2^24 paths of the brightest light do not overflow. Their squares are those of the film, and saturate.
 constexpr double kQuantum = 0x1p-20, kMostColour = 0x1p18;
-constexpr double kSquareQuantum = 0x1p-16, kMostSquare = 0x1p22;
 
-int64_t quantised(double value, double most, double quantum) {
-  return std::isnan(value) ? 0 : std::llround(std::clamp(value, -most, most) / quantum);
+int64_t quantised(double value) {
+  return std::isnan(value) ? 0 : std::llround(std::clamp(value, -kMostColour, kMostColour) / kQuantum);
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ double CellSums::Cell::sumOfSquares() const {
 
 CellSums::CellSums(size_t limit_bytes) {
   constexpr size_t kPerCell = sizeof(Cell) + sizeof(CellMeans::Mean);
-  const size_t slots = std::bit_floor(std::max<size_t>(64, limit_bytes / 32));  // less than half of them are ever used
+  // Of the slots at most nine in ten are ever used; with kLimit_bytes, not half of them.
+  const size_t slots = std::bit_floor(std::max<size_t>(64, limit_bytes / 32));
   slots_.resize(slots);
   cells_.resize(
       std::max<size_t>(kLightCellLevels, (limit_bytes - std::min(limit_bytes, slots * sizeof(uint32_t))) / kPerCell));
@@ -89,14 +91,14 @@ void CellSums::deposit(uint32_t cell, Rgb colour) {
   int64_t quanta[3];
   double square = 0;
   for (int c = 0; c < 3; ++c) {
-    quanta[c] = quantised(colour[c], kMostColour, kQuantum);
+    quanta[c] = quantised(colour[c]);
     square += std::pow(kQuantum * static_cast<double>(quanta[c]), 2);
   }
-  const auto squares = static_cast<uint64_t>(quantised(square, kMostSquare, kSquareQuantum));
+  const uint64_t squares = fixedPositive(square, kMaxSquare, kSquareQuantum);
   for (;;) {
     Cell& sums = cells_[cell];
     for (int c = 0; c < 3; ++c) sums.colour[c] += quanta[c];
-    sums.squares += squares;
+    sums.squares = saturatingAdd(sums.squares, squares);
     ++sums.paths;
     if (sums.parent == cell) break;
     cell = sums.parent;

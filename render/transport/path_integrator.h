@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/fabric/model/validate.h"
 #include "render/media/medium.h"
 #include "render/scene/camera_rays.h"
 #include "render/scene/scene.h"
@@ -46,7 +47,7 @@ class PathIntegrator {
   void follow(const Ray& ray, Random& random, PathSink& sink, TraceCounts& counts);
 
  private:
-  static constexpr size_t kMaxMaterials = 64;  // of a valid fabric
+  static constexpr size_t kMaxMaterials = kMaxKinds;
   /// A path between two fibres.
   struct State {
     PathStart* start = nullptr;

@@ -68,15 +68,6 @@ void recordFirstHit(const Collision& at, PathSample& sample) {
 
 }  // namespace
 
-TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
-  paths += other.paths;
-  events += other.events;
-  rays += other.rays;
-  amongFibres += other.amongFibres;
-  steps += other.steps;
-  return *this;
-}
-
 bool PathTracer::PixelSink::meets(const Collision& at, uint32_t event) {
   if (event == 1) {
     recordFirstHit(at, sample_);
@@ -160,11 +151,11 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
       }
       if (!tracer.trace(wanted, counts[number], &task)) return;
       for (size_t i = 0; i < wanted.size(); ++i) {
-        const auto& [x, y, index, log] = wanted[i];
+        const auto& [x, y, index, listener] = wanted[i];
         const PathSample& sample = tracer.sample(i);
         film.add(x, y, index, sample);
         if (first) first->sample(number, x, y, tracer.ray(i), tracer.first(i), sample);
-        if (log) records->add(x, y, sample.direct + sample.indirect, *static_cast<const PathLog*>(log));
+        if (listener) records->add(x, y, sample.direct + sample.indirect, logs[i]);
       }
     }
     task.report(static_cast<double>(++done) / static_cast<double>(blocks.count()));

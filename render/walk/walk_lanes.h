@@ -54,7 +54,7 @@ enum class WalkStop : int32_t {
 
 /// The bricks that reach into the cell of each ray.
 struct CellLanes {
-  static constexpr int kSlots = 6;  ///< VoxelContent::kMaxSpans
+  static constexpr int kSlots = 6;
   LaneInts count;
   struct Slot {
     LaneInts shift[3];  ///< from blocks of the cell to those of the brick

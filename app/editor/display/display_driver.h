@@ -10,7 +10,7 @@
 #include "render/colour/tone.h"
 #include "render/film/film.h"
 #include "render/film/image.h"
-#include "render/transport/path_tracer.h"
+#include "render/film/pixel_rect.h"
 #include "ui/widgets/crossing_index.h"
 
 namespace loomlight {

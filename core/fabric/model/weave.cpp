@@ -11,7 +11,7 @@
 namespace loomlight {
 namespace {
 
-/// Remainder that is never negative, so that the repeat goes on below zero too.
+/// A number of ends or picks that a weave can have.
 [[maybe_unused]] bool isSide(size_t n) {
   return n >= 1 && n <= static_cast<size_t>(Weave::kMaxSide);
 }

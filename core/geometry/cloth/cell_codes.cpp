@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/modulo.h"
+#include "core/fabric/model/validate.h"
 
 // How it works. A cell's shape depends on five crossings, its own in their middle: three nodes, and the neighbours of
 // each. Reading a row of cells therefore slides a window of five bits, one for each crossing (is this yarn over?),
@@ -68,13 +69,13 @@ int leastCommonMultiple(int a, int b) {
 }
 
 // What one node of a path comes from: the float state in 2 bits, the side in 1, the leaning in 4, the float state of
-// the yarn that is crossed in 2, its class in the 6 that 64 yarns need. A cell's shape code has its own class above
+// the yarn that is crossed in 2, its class in kClassBits. A cell's shape code has its own class above
 // those of its three nodes.
 constexpr int kFloatBits = 3, kOverBit = 4, kLeaningBits = 4, kOtherShift = kFloatBits + kLeaningBits;
 constexpr int kOtherBits = 2, kClassShift = kOtherShift + kOtherBits;
-constexpr int kNodeBits = kClassShift + 6;
+constexpr int kClassBits = 6, kNodeBits = kClassShift + kClassBits;
 constexpr ShapeCode kThreeNodes = (ShapeCode{1} << (3 * kNodeBits)) - 1;
-static_assert(kFloatStates <= kOverBit);
+static_assert(kFloatStates <= kOverBit && kMaxKinds <= 1 << kClassBits);
 
 /// What the sides of the yarns before and after one say of a crossing on it.
 struct Beside {

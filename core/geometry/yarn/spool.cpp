@@ -23,18 +23,19 @@ std::vector<uint8_t> drawStates(double stretch_mm, uint64_t seed) {
   const auto run = [stretch_mm](double length_mm) {
     return std::max(1u, static_cast<uint32_t>(length_mm / stretch_mm));
   };
-  const uint32_t quickRun = run(kEvennessCut_mm), slowRun = run(kLongWave_mm);
   std::vector<uint8_t> states(Spool::kStretches);
-  uint8_t quickState = light, slowState = light;
-  bool isLongWave = false;
-  for (uint32_t i = 0; i < Spool::kStretches; ++i) {
-    if (i % slowRun == 0) slowState = Random(hashCombine(~seed, i / slowRun)).uniform() < 0.5f ? light : heavy;
-    if (i % quickRun == 0) {
-      Random quick(hashCombine(seed, i / quickRun));
-      isLongWave = quick.uniform() < kLongWaves;
-      quickState = quick.uniform() < 0.5f ? light : heavy;
-    }
-    states[i] = isLongWave ? slowState : quickState;
+  const auto fill = [&](uint32_t first, uint32_t count, State state) {
+    std::fill_n(states.begin() + first, std::min(count, Spool::kStretches - first), state);
+  };
+  const auto drawn = [](Random& random) { return random.uniform() < 0.5f ? light : heavy; };
+  const uint32_t slowRun = run(kLongWave_mm), quickRun = run(kEvennessCut_mm);
+  for (uint32_t first = 0; first < Spool::kStretches; first += slowRun) {
+    Random slow(hashCombine(~seed, first / slowRun));
+    fill(first, slowRun, drawn(slow));
+  }
+  for (uint32_t first = 0; first < Spool::kStretches; first += quickRun) {
+    Random quick(hashCombine(seed, first / quickRun));
+    if (quick.uniform() >= kLongWaves) fill(first, quickRun, drawn(quick));
   }
   return states;
 }
@@ -65,7 +66,8 @@ double eased(double from, double to, double t, int period) {
 /// Coefficient of variation of cuts of a yarn whose mass is 0 where it is light, and 2 where it is heavy: of a cut from
 /// each stretch on, which begin in all of its cells by turns.
 double variationOfCuts(const std::vector<uint8_t>& states, int period, double cell_mm) {
-  const auto cells = static_cast<size_t>(period), stretches = states.size();
+  constexpr size_t stretches = Spool::kStretches;
+  const auto cells = static_cast<size_t>(period);
   const auto kindAt = [&](size_t i) { return static_cast<size_t>(2 * states[i] + states[(i + 1) % stretches]); };
   std::array<std::vector<double>, 4> upTo;  // mass up to a cell, by the states that a stretch goes from and to
   for (size_t kind = 0; kind < upTo.size(); ++kind) {
@@ -80,12 +82,19 @@ double variationOfCuts(const std::vector<uint8_t>& states, int period, double ce
 
   const size_t cut = std::max<size_t>(1, static_cast<size_t>(std::lround(kEvennessCut_mm / cell_mm)));
   double sum = 0, squares = 0, count = 0;
-  for (size_t i = 0; i < stretches; ++i, ++count) {
-    const size_t from = i % cells, last = i + (from + cut) / cells, to = (from + cut) % cells;
-    if (last >= stretches) break;
+  size_t from = 0, to = cut % cells, last = cut / cells;  // the cells that a cut goes from and to, and its last stretch
+  for (size_t i = 0; last < stretches; ++i, ++last, ++count) {
     const double mass = before[last] + upTo[kindAt(last)][to] - before[i] - upTo[kindAt(i)][from];
     sum += mass;
     squares += mass * mass;
+    if (++from == cells) {
+      from = 0;
+      --last;
+    }
+    if (++to == cells) {
+      to = 0;
+      ++last;
+    }
   }
   const double mean = sum / count;
   return std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean;

@@ -11,7 +11,7 @@ class ClearBench(CommandLineTest):
             return list(csv.DictReader(file))
 
     def test_page_and_tables(self):
-        self.run_program("bench", "clear", "--quick", "--only", "open,colour", "-o", "out")
+        self.run_program("bench", "clear", "--quick", "--only", "open,colour", "--seconds", "0.3", "-o", "out")
         self.assertTrue((self.folder / "out/clear.md").exists())
         rows = self.rows("clear.csv")
         self.assertEqual(

@@ -7,9 +7,10 @@ from harness import CLOSED, CommandLineTest, main
 
 GREY = [12] * 36
 
-# Light is traced until the colour is known equally well, whatever the cloth: one of few fibres takes a tenth as long.
-THIN_YARN = {**CLOSED["yarns"][0], "fibres_per_ply": 30}
-THIN = {**CLOSED, "yarns": [THIN_YARN]}
+# Light is traced until the colour is known equally well, whatever the cloth: a thin one takes a tenth as long.
+YARN = CLOSED["yarns"][0]
+THIN_FIBRE = {"name": "fibre", "radius_um": 9}
+THIN = {**CLOSED, "fibres": [THIN_FIBRE]}
 
 
 def bell(centre_nm, width_nm, height):
@@ -24,8 +25,8 @@ def without_progress(messages):
 
 class Colour(CommandLineTest):
     def cloth(self, absorption, construction=THIN):
-        fabric = {**construction, "fibres": [{"name": "fibre", "radius_um": 9, "absorption_per_mm": absorption}]}
-        return self.fabric(**fabric)
+        fibre = {**construction["fibres"][0], "absorption_per_mm": absorption}
+        return self.fabric(**{**construction, "fibres": [fibre]})
 
     def measured(self, absorption, *words):
         return json.loads(self.run_program("colour", self.cloth(absorption), "--json", *words))
@@ -90,7 +91,7 @@ class Colour(CommandLineTest):
             {"name": "brown", "radius_um": 9, "absorption_per_mm": [4, 10, 30]},
             {"name": "hidden", "radius_um": 9},
         ]
-        yarns = [{**THIN_YARN, "name": name, "fibre": fibre} for name, fibre in (("warp", 0), ("brown", 1), ("twin", 0))]
+        yarns = [{**YARN, "name": name, "fibre": fibre} for name, fibre in (("warp", 0), ("brown", 1), ("twin", 0))]
         self.fabric(**{**THIN, "fibres": fibres, "yarns": yarns, "weft_sequence": [1]}).rename(self.folder / "two.json")
         words = ("--json", "--tolerance", 100, "--illuminant", "D65")
         said = json.loads(

@@ -41,14 +41,14 @@ SMALL = {
 }
 
 # Closed cloth of one yarn: whatever is seen from above is its fibre.
-_YARN = {"name": "yarn", "fibre": 0, "fibres_per_ply": 120}
+_YARN = {"name": "yarn", "fibre": 0, "fibres_per_ply": 30}
 CLOSED = {
     "weave": ["#.", ".#"],
     "ends_per_cm": 60,
     "picks_per_cm": 60,
     "weft_sequence": [0],
     "yarns": [_YARN],
-    "fibres": [{"name": "a=b", "radius_um": 9}],
+    "fibres": [{"name": "a=b", "radius_um": 18}],
     "drape": {"kind": "flat", "width_mm": 12, "height_mm": 12},
     "camera": {"elevation_deg": 90, "fov_deg": 0, "distance_mm": 6},
 }

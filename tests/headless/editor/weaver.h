@@ -82,10 +82,13 @@ class Weaver {
   HeadlessEditor& editor_;
 };
 
-/// A 2/2 twill that a slow machine keeps up with: a small flat piece, few voxels.
+/// A 2/2 twill that a slow machine keeps up with: a small flat piece, few voxels, and as much of the yarns in a tenth
+/// as many fibres.
 inline Fabric smallTwill() {
   Fabric fabric = readFabric(LOOMLIGHT_SAMPLES "/blue_cloth.json");
   fabric.weave = Weave(std::vector<Weave::Row>{{1, 0, 0, 1}, {1, 1, 0, 0}, {0, 1, 1, 0}, {0, 0, 1, 1}});
+  for (Fibre& fibre : fabric.fibres) fibre.radius_um = 20;
+  for (Yarn& yarn : fabric.yarns) yarn.fibresPerPly = 17;
   fabric.drape = {};
   fabric.drape.width_mm = fabric.drape.height_mm = 4;
   fabric.light = {};

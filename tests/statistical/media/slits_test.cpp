@@ -52,7 +52,7 @@ TEST(Slits, LetThroughAsMuchAsAmongFibres) {
   constexpr int kRays = 60000;
   for (const double disorder_deg : {0.0, 7.0}) {
     SCOPED_TRACE(disorder_deg);
-    const auto fibres = passing(slits(disorder_deg), test::kFibres, kRays, 1);
+    const auto fibres = passing(slits(disorder_deg), test::kFibresInBricks, kRays, 1);
     const auto volume = passing(slits(disorder_deg), test::kLoomlight, kRays, 2);
     const double noise = std::hypot(fibres.standardError(), volume.standardError());
     RecordProperty("fibres", std::to_string(fibres.mean()));

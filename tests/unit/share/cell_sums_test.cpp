@@ -84,15 +84,15 @@ TEST(CellSums, FadedCellsKeepTheirColourAndCountForLess) {
   EXPECT_EQ(sums[cell].sum(), glm::dvec3(0));
 }
 
-/// Cells whose own light spreads by `between`, of paths that spread by `noise`.
-CellSums spreadCells(float between, float noise, int cells, int paths) {
+/// Cells whose own light spreads by `between`, of paths that spread by `noise`, under a lamp of that intensity.
+CellSums spreadCells(float between, float noise, int cells, int paths, float intensity = 1) {
   CellSums sums;
   Random random(7);
   const auto either = [&](float size) { return random.below(2) == 0 ? size : -size; };
   for (int i = 0; i < cells; ++i) {
     const uint32_t cell = sums.add(path(0, static_cast<uint64_t>(i)));
     const float own = 2 + either(between);
-    for (int k = 0; k < paths; ++k) sums.deposit(cell, Rgb(own + either(noise)));
+    for (int k = 0; k < paths; ++k) sums.deposit(cell, Rgb(intensity * (own + either(noise))));
   }
   return sums;
 }
@@ -101,6 +101,16 @@ TEST(CellMeans, AParentIsWorthTheNoiseOverTheSpread) {
   // 400 cells of 20 paths: the variance between cells has a standard error of 7 %, that within one of 2 %.
   const CellMeans means(spreadCells(0.5f, 1.0f, 400, 20));
   EXPECT_NEAR(means.parentWorth_paths(2), 4, 4 * 3 * 0.08);
+}
+
+// Black cloth in the dusk, and white in the sun: what is alike is so however bright it is.
+TEST(CellMeans, WhatAParentIsWorthDoesNotDependOnHowBrightTheLightIs) {
+  const double worth = CellMeans(spreadCells(0.5f, 1.0f, 400, 20)).parentWorth_paths(2);
+  for (const float intensity : {0.001f, 1000.0f}) {
+    // Colours are rounded to 2^-20: in the dusk, a thousandth of the noise.
+    const double other = CellMeans(spreadCells(0.5f, 1.0f, 400, 20, intensity)).parentWorth_paths(2);
+    EXPECT_NEAR(other, worth, 0.005 * worth) << intensity;
+  }
 }
 
 // Beside white yarns on both sides of the cloth, all alike and well known, the first few paths from a red one.
