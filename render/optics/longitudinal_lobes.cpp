@@ -12,21 +12,33 @@ namespace loomlight::optics {
 namespace {
 
 /// Shares of the modes, averaged over the offset h, by the midpoint rule in its arcsine: periodic and smooth.
-Float32x4 meanShare(double cosine, double index) {
-  constexpr int kPoints = 24;
-  const auto sine = static_cast<float>(std::sqrt(std::max(0.0, 1 - cosine * cosine)));
-  Float32x4 sum{};
-  float weights = 0;
-  for (int k = 0; k < kPoints; ++k) {
-    const double gamma = 0.5 * kPi * (k + 0.5) / kPoints;
-    const auto weight = static_cast<float>(std::cos(gamma));
-    const CylinderHit<float> hit({sine, static_cast<float>(cosine), 0}, static_cast<float>(std::sin(gamma)),
-                                 static_cast<float>(index));
-    sum += weight * Float32x4{hit.share[0], hit.share[1], hit.share[2], hit.share[3]};
-    weights += weight;
+class MeanShares {
+ public:
+  explicit MeanShares(double index) : index_(static_cast<float>(index)) {
+    for (size_t k = 0; k < kPoints; ++k) {
+      const double gamma = 0.5 * kPi * (static_cast<double>(k) + 0.5) / kPoints;
+      offset_[k] = static_cast<float>(std::sin(gamma));
+      weight_[k] = static_cast<float>(std::cos(gamma));
+    }
   }
-  return sum / weights;
-}
+  /// Of light whose inclination has this cosine.
+  Float32x4 at(double cosine) const {
+    const auto sine = static_cast<float>(std::sqrt(std::max(0.0, 1 - cosine * cosine)));
+    Float32x4 sum{};
+    float weights = 0;
+    for (size_t k = 0; k < kPoints; ++k) {
+      const CylinderHit<float> hit({sine, static_cast<float>(cosine), 0}, offset_[k], index_);
+      sum += weight_[k] * Float32x4{hit.share[0], hit.share[1], hit.share[2], hit.share[3]};
+      weights += weight_[k];
+    }
+    return sum / weights;
+  }
+
+ private:
+  static constexpr size_t kPoints = 24;
+  float index_;
+  std::array<float, kPoints> offset_, weight_;
+};
 
 double normOf(double v) {
   return 1 / (v * -std::expm1(-2 / v));
@@ -78,39 +90,12 @@ class Quadrature {
   std::vector<double> weight_;
 };
 
-}  // namespace
-
-LongitudinalLobes::LongitudinalLobes(double roughness, double index, double scaleTilt_rad)
-    : tilted_(scaleTilt_rad != 0), outgoing_(kRows + 2), incoming_(kRows + 2) {
-  // The scales turn the mirror cone of each mode by a different multiple of their angle (Marschner et al. 2003).
-  constexpr double shifts[kModes] = {-2, 1, 4, 0};
-  // Variance by roughness (Chiang et al. 2016, Eq. 7), and of the other modes relative to R (Marschner et al. 2003).
-  const double b = roughness;
-  const double root = 0.726 * b + 0.812 * b * b + 3.7 * std::pow(b, 20);
-  constexpr double relative[kModes] = {1, 0.25, 4, 4};
-  for (size_t mode = 0; mode < kModes; ++mode) {
-    const double tilt = shifts[mode] * scaleTilt_rad;
-    tilt_[mode] = {static_cast<float>(std::sin(tilt)), static_cast<float>(std::cos(tilt))};
-    const double v = relative[mode] * root * root;
-    inverseVariance_[mode] = static_cast<float>(1 / v);
-    inverseDeviation_[mode] = static_cast<float>(1 / std::sqrt(v));
-    norm_[mode] = static_cast<float>(normOf(v));
-    solve(mode, v, index);
-    variance_[mode] = static_cast<float>(v);
-    for (size_t row = 1; row <= kRows; ++row) {
-      // Between two rows a * cosine is at most the larger a times the larger cosine.
-      const float largest = std::max(incoming_[row - 1][mode], incoming_[row][mode]);
-      bound_[mode] = std::max(bound_[mode], largest * static_cast<float>(row) / kRows);
-    }
-  }
-}
-
-void LongitudinalLobes::solve(size_t mode, double variance, double index) {
-  const Quadrature nodes(variance);
+/// a() of a mode at the nodes, by Sinkhorn's scaling.
+std::vector<double> scaling(const Quadrature& nodes, const MeanShares& shares, size_t mode) {
   const size_t n = nodes.size();
   std::vector<double> share(n), a(n), sums(n), matrix(n * n);
   for (size_t k = 0; k < n; ++k) {
-    share[k] = meanShare(nodes.cosine(k), index)[mode];
+    share[k] = shares.at(nodes.cosine(k))[mode];
     a[k] = std::sqrt(share[k] / nodes.cosine(k));  // the solution for narrow lobes, away from the poles
     nodes.weights(nodes.cosine(k), &matrix[k * n]);
   }
@@ -123,17 +108,48 @@ void LongitudinalLobes::solve(size_t mode, double variance, double index) {
       a[k] = std::sqrt(a[k] * share[k] / sums[k]);
     }
   }
-  // The equation itself continues the solution from the nodes to any angle.
-  std::vector<double> weights(n);
-  for (size_t row = 0; row <= kRows; ++row) {
-    const double cosine = static_cast<double>(row) / kRows;
-    nodes.weights(cosine, weights.data());
-    const double sum = std::inner_product(a.begin(), a.end(), weights.begin(), 0.0);
-    outgoing_[row][mode] = static_cast<float>(1 / sum);
-    incoming_[row][mode] = static_cast<float>(meanShare(cosine, index)[mode] / sum);
+  return a;
+}
+
+}  // namespace
+
+LongitudinalLobes::LongitudinalLobes(double roughness, double index, double scaleTilt_rad)
+    : tilted_(scaleTilt_rad != 0), outgoing_(kRows + 2), incoming_(kRows + 2) {
+  // The scales turn the mirror cone of each mode by a different multiple of their angle (Marschner et al. 2003).
+  constexpr double shifts[kModes] = {-2, 1, 4, 0};
+  // Variance by roughness (Chiang et al. 2016, Eq. 7), and of the other modes relative to R (Marschner et al. 2003).
+  const double b = roughness;
+  const double root = 0.726 * b + 0.812 * b * b + 3.7 * std::pow(b, 20);
+  constexpr double relative[kModes] = {1, 0.25, 4, 4};
+  const MeanShares shares(index);
+  std::vector<Float32x4> rowShares(kRows + 1);
+  for (size_t row = 0; row <= kRows; ++row) rowShares[row] = shares.at(static_cast<double>(row) / kRows);
+  for (size_t mode = 0; mode < kModes; ++mode) {
+    const double tilt = shifts[mode] * scaleTilt_rad;
+    tilt_[mode] = {static_cast<float>(std::sin(tilt)), static_cast<float>(std::cos(tilt))};
+    const double v = relative[mode] * root * root;
+    inverseVariance_[mode] = static_cast<float>(1 / v);
+    inverseDeviation_[mode] = static_cast<float>(1 / std::sqrt(v));
+    norm_[mode] = static_cast<float>(normOf(v));
+    const Quadrature nodes(v);
+    const std::vector<double> a = scaling(nodes, shares, mode);
+    // The equation itself continues the solution from the nodes to any angle.
+    std::vector<double> weights(nodes.size());
+    for (size_t row = 0; row <= kRows; ++row) {
+      nodes.weights(static_cast<double>(row) / kRows, weights.data());
+      const double sum = std::inner_product(a.begin(), a.end(), weights.begin(), 0.0);
+      outgoing_[row][mode] = static_cast<float>(1 / sum);
+      incoming_[row][mode] = static_cast<float>(rowShares[row][mode] / sum);
+    }
+    outgoing_[kRows + 1] = outgoing_[kRows];
+    incoming_[kRows + 1] = incoming_[kRows];
+    variance_[mode] = static_cast<float>(v);
+    for (size_t row = 1; row <= kRows; ++row) {
+      // Between two rows a * cosine is at most the larger a times the larger cosine.
+      const float largest = std::max(incoming_[row - 1][mode], incoming_[row][mode]);
+      bound_[mode] = std::max(bound_[mode], largest * static_cast<float>(row) / kRows);
+    }
   }
-  outgoing_[kRows + 1] = outgoing_[kRows];
-  incoming_[kRows + 1] = incoming_[kRows];
 }
 
 }  // namespace loomlight::optics

@@ -136,7 +136,6 @@ class LongitudinalLobes {
     const T here = gathered(numbers, place), there = gathered(numbers + kModes, place);
     return here + (x - toFloats<T>(row)) * (there - here);
   }
-  void solve(size_t mode, double variance, double index);
 
   bool tilted_;
   std::array<SinCos<float>, kModes> tilt_{};

@@ -1,5 +1,7 @@
 #include "render/share/cell_deposits.h"
 
+#include "render/share/first_fibres.h"
+
 namespace loomlight {
 
 void CellDeposits::begin(size_t tiles) {
@@ -10,7 +12,8 @@ void CellDeposits::sample(size_t tile, int x, int y, const Ray& ray, const Colli
   Tile& own = tiles_[tile];
   const auto pixel = static_cast<uint32_t>(ofPixels_ ? hits_.pixelAt(x, y) : 0);
   if (!first) {
-    if (ofPixels_ && !hits_.isFull(pixel)) own.deposits.push_back({pixel, FirstHits::missed(scene_, ray), Rgb(0)});
+    if (ofPixels_ && !hits_.isFull(pixel))
+      own.deposits.push_back({pixel, FirstHits::missed(goesThrough(scene_, ray)), Rgb(0)});
     return;
   }
   const LightCellPath path = own.keys.of(*first);

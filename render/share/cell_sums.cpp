@@ -22,6 +22,70 @@ int64_t quantised(double value) {
   return std::isnan(value) ? 0 : std::llround(std::clamp(value, -kMostColour, kMostColour) / kQuantum);
 }
 
+/// How paths spread about the means of the cells of a level, and how these means spread about those of their parents:
+/// sums of squares and their degrees of freedom.
+struct Spread {
+  double within = 0, withinFreedom = 0;
+  double between = 0, betweenFreedom = 0;
+  double betweenPaths = 0;  ///< what a variance of one between cells would make of `between`
+};
+using Spreads = std::array<Spread, kLightCellLevels>;
+
+/// One-way analysis of variance with unequal groups (Searle, Casella, McCulloch 1992, section 3.6).
+Spreads spreadOf(const CellSums& sums) {
+  Spreads levels;
+  // Of the cells in each: how many have paths, sum of |sum|^2 / paths, of paths^2, of paths.
+  struct Children {
+    double count = 0, squares = 0, paths2 = 0, paths = 0;
+  };
+  std::vector<Children> children(sums.size());
+  for (uint32_t i = 0; i < sums.size(); ++i) {
+    const CellSums::Cell& cell = sums[i];
+    if (cell.paths == 0) continue;
+    const double paths = cell.paths, square = glm::dot(cell.sum(), cell.sum()) / paths;
+    Spread& level = levels[static_cast<size_t>(cell.level())];
+    level.within += std::max(0.0, cell.sumOfSquares() - square);
+    level.withinFreedom += paths - 1;
+    if (cell.parent == i) continue;
+    Children& of = children[cell.parent];
+    of.count += 1;
+    of.squares += square;
+    of.paths2 += paths * paths;
+    of.paths += paths;
+  }
+  for (uint32_t i = 0; i < sums.size(); ++i) {
+    const Children& of = children[i];
+    const CellSums::Cell& cell = sums[i];
+    if (of.count < 2 || cell.level() + 1 >= kLightCellLevels) continue;
+    // A faded cell may have fewer paths than its parts together.
+    Spread& level = levels[static_cast<size_t>(cell.level()) + 1];
+    const double scale = of.paths / cell.paths;
+    const glm::dvec3 sum = cell.sum();
+    level.between += std::max(0.0, of.squares - scale * glm::dot(sum, sum) / cell.paths);
+    level.betweenFreedom += of.count - 1;
+    level.betweenPaths += of.paths - of.paths2 / of.paths;
+  }
+  return levels;
+}
+
+/// Of each level: with the variance s^2 within cells and t^2 between cells of one parent, a parent is worth s^2 / t^2
+/// paths.
+std::array<double, kLightCellLevels> parentWorths(const Spreads& levels) {
+  // At level 1 are yarns of all colours: what others show says nothing of one that is seen for the first time.
+  constexpr double kLeast = 1, kMostOfAll = 1e6, kMostOfYarns = 4;
+  std::array<double, kLightCellLevels> worths{};
+  for (size_t l = 1; l < kLightCellLevels; ++l) {
+    const Spread& level = levels[l];
+    const double most = l == 1 ? kMostOfYarns : kMostOfAll;
+    worths[l] = most;
+    if (level.withinFreedom < 1 || level.betweenFreedom < 1) continue;
+    const double within = level.within / level.withinFreedom;
+    const double between = (level.between - level.betweenFreedom * within) / level.betweenPaths;
+    if (between > 0) worths[l] = std::clamp(within / between, kLeast, most);
+  }
+  return worths;
+}
+
 }  // namespace
 
 glm::dvec3 CellSums::Cell::sum() const {
@@ -122,56 +186,7 @@ void CellSums::fade(uint32_t mostPaths) {
   }
 }
 
-/// One-way analysis of variance with unequal groups (Searle, Casella, McCulloch 1992, section 3.6), level by level: the
-/// variance within cells, s^2, and between cells of one parent, t^2. A parent is worth s^2 / t^2 paths.
-CellMeans::CellMeans(const CellSums& sums) : means_(sums.size()) {
-  struct Level {
-    double within = 0, withinFreedom = 0;
-    double between = 0, betweenFreedom = 0, spread = 0;
-  };
-  std::array<Level, kLightCellLevels> levels;
-  // Of the cells in each: how many have paths, sum of |sum|^2 / paths, of paths^2.
-  struct Children {
-    double count = 0, squares = 0, paths2 = 0, paths = 0;
-  };
-  std::vector<Children> children(sums.size());
-  for (uint32_t i = 0; i < sums.size(); ++i) {
-    const CellSums::Cell& cell = sums[i];
-    if (cell.paths == 0) continue;
-    const double paths = cell.paths, square = glm::dot(cell.sum(), cell.sum()) / paths;
-    Level& level = levels[static_cast<size_t>(cell.level())];
-    level.within += std::max(0.0, cell.sumOfSquares() - square);
-    level.withinFreedom += paths - 1;
-    if (cell.parent == i) continue;
-    Children& of = children[cell.parent];
-    of.count += 1;
-    of.squares += square;
-    of.paths2 += paths * paths;
-    of.paths += paths;
-  }
-  for (uint32_t i = 0; i < sums.size(); ++i) {
-    const Children& of = children[i];
-    const CellSums::Cell& cell = sums[i];
-    if (of.count < 2 || cell.level() + 1 >= kLightCellLevels) continue;
-    // A faded cell may have fewer paths than its parts together.
-    Level& level = levels[static_cast<size_t>(cell.level()) + 1];
-    const double scale = of.paths / cell.paths;
-    const glm::dvec3 sum = cell.sum();
-    level.between += std::max(0.0, of.squares - scale * glm::dot(sum, sum) / cell.paths);
-    level.betweenFreedom += of.count - 1;
-    level.spread += of.paths - of.paths2 / of.paths;
-  }
-  // At level 1 are yarns of all colours: what others show says nothing of one that is seen for the first time.
-  constexpr double kLeast = 1, kMostOfAll = 1e6, kMostOfYarns = 4;
-  for (size_t l = 1; l < kLightCellLevels; ++l) {
-    const Level& level = levels[l];
-    const double most = l == 1 ? kMostOfYarns : kMostOfAll;
-    worth_[l] = most;
-    if (level.withinFreedom < 1 || level.betweenFreedom < 1) continue;
-    const double within = level.within / level.withinFreedom;
-    const double between = (level.between - level.betweenFreedom * within) / level.spread;
-    if (between > 0) worth_[l] = std::clamp(within / between, kLeast, most);
-  }
+CellMeans::CellMeans(const CellSums& sums) : means_(sums.size()), worth_(parentWorths(spreadOf(sums))) {
   for (uint32_t i = 0; i < sums.size(); ++i) {
     const CellSums::Cell& cell = sums[i];
     const double paths = cell.paths, prior = cell.parent == i ? 0 : worth_[static_cast<size_t>(cell.level())];

@@ -36,7 +36,9 @@ class CellSums {
   void fade(uint32_t mostPaths);
 
   size_t size() const { return size_; }
-  size_t bytes() const { return bytes_; }  ///< that it takes at most, whatever comes; not above the limit
+  /// That it and its CellMeans take at most, whatever comes; not above the limit. While means are made they take half
+  /// as much again.
+  size_t bytes() const { return bytes_; }
   bool isFull() const { return size_ == cells_.size(); }
   bool isHalfFull() const { return 2 * size_ >= cells_.size(); }
 

@@ -41,8 +41,8 @@ class FirstHits {
   }
   static bool isCell(uint32_t hit) { return hit < kThrough; }
   bool isFull(size_t pixel) const { return counts_[pixel] >= most_; }
-  /// kPast or kThrough, of a ray that met no fibre.
-  static uint32_t missed(const Scene& scene, const Ray& ray);
+  /// Of a ray that met no fibre.
+  static uint32_t missed(bool isThrough) { return isThrough ? kThrough : kPast; }
   /// A cell, kPast or kThrough each.
   std::span<const uint32_t> of(int x, int y) const {
     const size_t pixel = pixelAt(x, y);

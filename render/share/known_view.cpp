@@ -4,26 +4,16 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "render/scene/camera_rays.h"
 #include "render/share/block_gains.h"
-#include "render/share/first_hits.h"
+#include "render/share/first_fibres.h"
 #include "render/share/seen_fibres.h"
-#include "render/transport/path_tracer.h"
 
-// How it works. A path through each pixel ends at its first fibre. Of the cells that this lies in, the finest that is
-// known says what light comes from there, and how much that of single paths varies; how many paths go through between
-// the fibres is known from the pixels around as well (seen_fibres.h). A film of fewer pixels, whose paths have found
-// the light of this very view, is compared with the mean over so many pixels, block by block (block_gains.h).
+// How it works. Each pixel has one path to its first fibre (first_fibres.h). Of the cells that this lies in, the finest
+// that is known says what light comes from there, and how much that of single paths varies; how many paths go through
+// between the fibres is known from the pixels around as well (seen_fibres.h). A film of fewer pixels, whose paths have
+// found the light of this very view, is compared with the mean over so many pixels, block by block (block_gains.h).
 
 namespace loomlight {
-namespace {
-
-class EndsAtFirstFibre final : public PathSink {
- public:
-  bool meets(const Collision&, uint32_t) override { return false; }
-};
-
-}  // namespace
 
 std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells, int width,
                                    int height, const Task& task) {
@@ -33,28 +23,22 @@ std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, con
   const CellMeans means(cells);
   const CameraRays camera(scene.fabric->camera, width, height);
   parallelFor(static_cast<size_t>((height + kStripRows - 1) / kStripRows), task.threads, [&](size_t strip) {
-    if (task.stopped()) return;
-    PathTracer tracer(scene, medium, camera, PathIntegrator::kBatch);
-    LightCellKeys keys(scene);
-    EndsAtFirstFibre end;
-    TraceCounts counts;
-    std::vector<PixelSample> paths;
+    FirstFibres fibres(scene, medium, camera);
+    std::vector<PixelSample> samples;
     const int top = static_cast<int>(strip) * kStripRows;
     for (int y = top; y < std::min(height, top + kStripRows); ++y)
-      for (int x = 0; x < width; ++x) paths.push_back({x, y, 0, &end});
-    if (!tracer.trace(paths, counts, &task)) return;
-    for (size_t i = 0; i < paths.size(); ++i) {
-      const auto& [x, y, index, listener] = paths[i];
-      const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
-      const Collision* const first = tracer.first(i);
-      if (!first) {
-        seen.misses(pixel, FirstHits::missed(scene, tracer.ray(i)) == FirstHits::kThrough);
+      for (int x = 0; x < width; ++x) samples.push_back({x, y, 0});
+    if (!fibres.trace(samples, task)) return;
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const PixelSample& sample = samples[i];
+      const size_t pixel = static_cast<size_t>(sample.y) * static_cast<size_t>(width) + static_cast<size_t>(sample.x);
+      const Collision* const fibre = fibres.at(i);
+      if (!fibre) {
+        seen.misses(pixel, fibres.isThrough(i));
         continue;
       }
-      hits[pixel] = {first->yarn, first->end, first->pick, first->distance_mm};
-      Random random(hashCombine(hashCombine(scene.sampling.seed, x), y), 0);
-      const float jx = random.uniform(), jy = random.uniform();
-      const auto cell = cells.nearest(keys.of(*first, glm::vec2(jx, jy) - 0.5f));
+      hits[pixel] = {fibre->yarn, fibre->end, fibre->pick, fibre->distance_mm};
+      const auto cell = cells.nearest(fibres.cellsOf(sample, *fibre));
       seen.meets(pixel, cell ? means[*cell] : CellMeans::Mean{});
     }
   });

@@ -65,13 +65,25 @@ std::string HeadlessEditor::start(const Fabric& cloth, const std::string& name) 
   return file;
 }
 
+void HeadlessEditor::startWithoutFile(Fabric cloth) {
+  begin(Document(std::move(cloth)));
+  untilDrawn();
+}
+
 void HeadlessEditor::startOn(const std::string& file) {
   WifImport cloth = FileService::readCloth(file, Fabric{});
-  session_ =
-      std::make_unique<Session>(Document(std::move(cloth.fabric), file), settings_, driver_, wakes_.callback(), 0);
+  begin(Document(std::move(cloth.fabric), file));
+  session_->sayLooksOtherwise(file, cloth.warnings);
+  untilDrawn();
+}
+
+void HeadlessEditor::begin(Document document) {
+  session_ = std::make_unique<Session>(std::move(document), settings_, driver_, wakes_.callback(), 0);
   session_->startProfiles("");
   session_->offerRecovery();
-  session_->sayLooksOtherwise(file, cloth.warnings);
+}
+
+void HeadlessEditor::untilDrawn() {
   until("the panels are drawn", [this] { return shows("viewport"); });
 }
 
@@ -294,13 +306,14 @@ void HeadlessEditor::key(const std::string& combination) {
 }
 
 void HeadlessEditor::character(const std::string& utf8) {
-  input_.type(utf8);
+  input_.character(utf8);
   settle();
 }
 
 void HeadlessEditor::type(const std::string& text) {
   until("a text field listens", [this] { return fact("text_input") == "yes"; });
-  character(text);
+  input_.type(text);
+  settle();
 }
 
 void HeadlessEditor::enter(const std::string& field, const std::string& text) {

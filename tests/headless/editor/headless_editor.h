@@ -40,6 +40,8 @@ class HeadlessEditor {
   std::string homeFile(const std::string& name) const { return (home_ / name).string(); }
   /// Begins on the cloth, which is written to its file first. Returns the file.
   std::string start(const Fabric& cloth, const std::string& name = "cloth.json");
+  /// Begins on a cloth that has no file yet.
+  void startWithoutFile(Fabric cloth);
   /// Begins again on a file, with the settings that leave() has kept.
   void startOn(const std::string& file);
   /// With which it begins the next time.
@@ -70,6 +72,7 @@ class HeadlessEditor {
   const Pixels8* pictureIn(const std::string& widget) const;
 
   // What is done.
+  int actions() const { return input_.actions().count(); }  ///< so far, as designers would count them
   void frame();
   /// Draws and waits for the workers until it is so.
   void until(const std::string& what, const std::function<bool()>& condition);
@@ -111,6 +114,7 @@ class HeadlessEditor {
  private:
   void frameOf(float length_s);
   void begin(Document document);
+  void untilDrawn();
   void settle();
   void pause();
   std::string plight() const;

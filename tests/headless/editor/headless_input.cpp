@@ -16,10 +16,12 @@ void HeadlessInput::move(ImVec2 place) {
 }
 
 void HeadlessInput::button(int button, bool down) {
+  if (down) actions_.button();
   ImGui::GetIO().MouseDown[button] = down;
 }
 
 void HeadlessInput::wheel(float clicks) {
+  actions_.wheel();
   ImGui::GetIO().MouseWheel += clicks;
 }
 
@@ -28,6 +30,7 @@ void HeadlessInput::key(const std::string& name, bool down) {
       {"Tab", ImGuiKey_Tab},      {"Left", ImGuiKey_LeftArrow}, {"Right", ImGuiKey_RightArrow},
       {"Up", ImGuiKey_UpArrow},   {"Down", ImGuiKey_DownArrow}, {"Delete", ImGuiKey_Delete},
       {"Return", ImGuiKey_Enter}, {"Escape", ImGuiKey_Escape},  {"space", ImGuiKey_Space}};
+  if (down) actions_.key(name);
   ImGuiIO& io = ImGui::GetIO();
   if (name == "ctrl") return holdControl(io, down);
   if (name == "shift") return holdShift(io, down);
@@ -39,7 +42,13 @@ void HeadlessInput::key(const std::string& name, bool down) {
   throw std::invalid_argument("no key is called " + name);
 }
 
+void HeadlessInput::character(const std::string& utf8) {
+  actions_.key(utf8);
+  ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str());
+}
+
 void HeadlessInput::type(const std::string& utf8) {
+  actions_.typed();
   ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str());
 }
 
