@@ -1,6 +1,5 @@
-/// Disks that take nothing while the editor writes what is not the cloth itself (of that:
-/// tests/e2e/editor/disk_test.py): it says so, what was there is there as it was, nothing lies beside it, and once
-/// there is room all goes on.
+/// Disks that take nothing while the editor writes what is not the cloth itself (of that: disk_test.cpp): it says so,
+/// what was there is there as it was, nothing lies beside it, and once there is room all goes on.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
