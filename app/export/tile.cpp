@@ -9,14 +9,18 @@
 #include "app/export/whole_picture.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/hash.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/yarn_edit.h"
+#include "render/display/denoise.h"
 #include "render/transport/yarn_names.h"
 
 // How it works. A tile is a whole number of repeats: of the weave, of both colour orders and, where that is not too
 // long, of the twist of the yarns, each by the least common multiple. It is rendered as the middle of a larger piece,
 // from straight above and without perspective, in a furnace, so that what is seen is how the yarns reflect and no lamp
-// lies in the map. Normals are slopes of the height map, taken across the tile's edges.
+// lies in the map. What samples leave of noise is taken from the colours (render/display/denoise.h): a map is no
+// measurement, and where it comes again and again, its noise would be a pattern. Normals are slopes of the height map,
+// taken across the tile's edges.
 namespace loomlight {
 namespace {
 
@@ -64,6 +68,25 @@ void fillHoles(const std::vector<float>& opacity, int width, int height, std::ve
       front.push_back(neighbour);
     }
   }
+}
+
+/// Premultiplied colours with less noise: pixels of one yarn exchange light within a crossing, so that the mean stays,
+/// and what lies beyond the tile's edges has no say.
+std::vector<glm::vec4> quietColours(const Film& film) {
+  std::vector<glm::vec4> colours;
+  film.toDisplayBuffer(colours);
+  std::vector<Film::Hit> hits;
+  std::vector<float> variances;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      hits.push_back(film.hit(x, y));
+      variances.push_back(film.variance(x, y));
+    }
+  // The filter tells yarns apart by their numbers: here each has one of its own, of 31 bits, at every crossing.
+  for (Film::Hit& hit : hits)
+    if (hit.yarn >= 0) hit.yarn = static_cast<int>(hashCombine(hashCombine(hit.end, hit.pick), hit.yarn) >> 33);
+  denoise(colours, {hits, variances}, film.width(), film.height(), 0);
+  return colours;
 }
 
 }  // namespace
@@ -128,13 +151,15 @@ TileMaps tileMaps(const Film& film, const Fabric& scene) {
   maps.width = film.width();
   maps.height = film.height();
   const size_t count = depth.size();
+  const std::vector<glm::vec4> colours = quietColours(film);
   const auto distance = static_cast<float>(scene.camera.distance_mm);
   float lowest = 0;
   for (int y = 0; y < maps.height; ++y)
     for (int x = 0; x < maps.width; ++x) {
       const float alpha = film.alpha(x, y);
       // Pictures have no background: the mean is what the yarns send back, over the whole pixel.
-      maps.baseColour.push_back(alpha > 0 ? film.mean(x, y) / alpha : Rgb(0));
+      const glm::vec4& colour = colours[maps.baseColour.size()];
+      maps.baseColour.push_back(alpha > 0 && colour.a > 0 ? Rgb(colour) / colour.a : Rgb(0));
       maps.opacity.push_back(alpha);
       maps.height_mm.push_back(alpha > 0 ? distance - depth[maps.height_mm.size()] : 0.0f);
       maps.yarn.push_back(alpha > 0 ? film.hit(x, y).yarn : -1);

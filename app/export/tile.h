@@ -47,8 +47,8 @@ Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide
 /// the back at the right.
 struct TileMaps {
   int width = 0, height = 0;
-  std::vector<Rgb> baseColour;    ///< linear; the share of light from everywhere that yarn sends back, with the noise
-                                  ///< of its samples; in holes that of the nearest yarn
+  std::vector<Rgb> baseColour;    ///< linear; the share of light from everywhere that yarn sends back, its noise
+                                  ///< taken from it within each crossing; in holes that of the nearest yarn
   std::vector<float> opacity;     ///< 0..1: the share of a pixel that yarn covers, seen from above
   std::vector<float> height_mm;   ///< above the cloth's mid-plane, towards the eye; in holes the lowest of the yarns
   std::vector<glm::vec3> normal;  ///< of the height, smoothed over a pixel; x to the right, y up, z towards the eye

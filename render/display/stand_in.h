@@ -26,9 +26,10 @@ class StandIn {
   float shareAt(int x, int y, uint32_t samples) const;
   bool isFineAt(int x, int y) const;
   bool isMoved() const { return !kept_.empty(); }
-  /// Of every pixel, after which nothing of it is left; at most so many, so that it does not linger.
-  uint32_t samples() const { return samples_; }
+  /// More would let it linger.
   static constexpr int kMostSamples = 4 * kClearSamples;
+  /// Of every pixel, after which nothing of it is left; kMostSamples at most.
+  uint32_t samples() const { return samples_; }
   const Frame& frame() const { return *earlier_; }
   bool knowsVariance() const { return !earlier_->variances.empty(); }
 

@@ -15,8 +15,9 @@
 namespace loomlight {
 namespace {
 
-// 2^24 paths of the brightest light do not overflow. Their squares are those of the film, and saturate.
+// 2^24 paths of the brightest light do not overflow.
 constexpr double kQuantum = 0x1p-20, kMostColour = 0x1p18;
+constexpr double kWrap = 0x1p64;  // quanta of squares
 
 int64_t quantised(double value) {
   return std::isnan(value) ? 0 : std::llround(std::clamp(value, -kMostColour, kMostColour) / kQuantum);
@@ -24,16 +25,16 @@ int64_t quantised(double value) {
 
 /// How paths spread about the means of the cells of a level, and how these means spread about those of their parents:
 /// sums of squares and their degrees of freedom.
-struct Spread {
+struct LevelSpread {
   double within = 0, withinFreedom = 0;
   double between = 0, betweenFreedom = 0;
   double betweenPaths = 0;  ///< what a variance of one between cells would make of `between`
 };
-using Spreads = std::array<Spread, kLightCellLevels>;
+using LevelSpreads = std::array<LevelSpread, kLightCellLevels>;
 
 /// One-way analysis of variance with unequal groups (Searle, Casella, McCulloch 1992, section 3.6).
-Spreads spreadOf(const CellSums& sums) {
-  Spreads levels;
+LevelSpreads spreadOf(const CellSums& sums) {
+  LevelSpreads levels;
   // Of the cells in each: how many have paths, sum of |sum|^2 / paths, of paths^2, of paths.
   struct Children {
     double count = 0, squares = 0, paths2 = 0, paths = 0;
@@ -43,7 +44,7 @@ Spreads spreadOf(const CellSums& sums) {
     const CellSums::Cell& cell = sums[i];
     if (cell.paths == 0) continue;
     const double paths = cell.paths, square = glm::dot(cell.sum(), cell.sum()) / paths;
-    Spread& level = levels[static_cast<size_t>(cell.level())];
+    LevelSpread& level = levels[static_cast<size_t>(cell.level())];
     level.within += std::max(0.0, cell.sumOfSquares() - square);
     level.withinFreedom += paths - 1;
     if (cell.parent == i) continue;
@@ -58,7 +59,7 @@ Spreads spreadOf(const CellSums& sums) {
     const CellSums::Cell& cell = sums[i];
     if (of.count < 2 || cell.level() + 1 >= kLightCellLevels) continue;
     // A faded cell may have fewer paths than its parts together.
-    Spread& level = levels[static_cast<size_t>(cell.level()) + 1];
+    LevelSpread& level = levels[static_cast<size_t>(cell.level()) + 1];
     const double scale = of.paths / cell.paths;
     const glm::dvec3 sum = cell.sum();
     level.between += std::max(0.0, of.squares - scale * glm::dot(sum, sum) / cell.paths);
@@ -70,12 +71,12 @@ Spreads spreadOf(const CellSums& sums) {
 
 /// Of each level: with the variance s^2 within cells and t^2 between cells of one parent, a parent is worth s^2 / t^2
 /// paths.
-std::array<double, kLightCellLevels> parentWorths(const Spreads& levels) {
+std::array<double, kLightCellLevels> parentWorths(const LevelSpreads& levels) {
   // At level 1 are yarns of all colours: what others show says nothing of one that is seen for the first time.
   constexpr double kLeast = 1, kMostOfAll = 1e6, kMostOfYarns = 4;
   std::array<double, kLightCellLevels> worths{};
   for (size_t l = 1; l < kLightCellLevels; ++l) {
-    const Spread& level = levels[l];
+    const LevelSpread& level = levels[l];
     const double most = l == 1 ? kMostOfYarns : kMostOfAll;
     worths[l] = most;
     if (level.withinFreedom < 1 || level.betweenFreedom < 1) continue;
@@ -94,12 +95,12 @@ glm::dvec3 CellSums::Cell::sum() const {
 }
 
 double CellSums::Cell::sumOfSquares() const {
-  return kSquareQuantum * static_cast<double>(squares);
+  return kSquareQuantum * (kWrap * wraps + static_cast<double>(squares));
 }
 
 CellSums::CellSums(size_t limit_bytes) {
   constexpr size_t kPerCell = sizeof(Cell) + sizeof(CellMeans::Mean);
-  // Of the slots at most nine in ten are ever used; with kLimit_bytes, not half of them.
+  // There are always more slots than cells; with kLimit_bytes, more than twice as many.
   const size_t slots = std::bit_floor(std::max<size_t>(64, limit_bytes / 32));
   slots_.resize(slots);
   cells_.resize(
@@ -135,7 +136,7 @@ std::optional<uint32_t> CellSums::make(uint64_t key, uint32_t parent) {
   if (slots_[slot] != 0) return slots_[slot] - 1;
   if (isFull()) return std::nullopt;
   const auto cell = static_cast<uint32_t>(size_++);
-  cells_[cell] = {key, {0, 0, 0}, 0, 0, size_ == 1 ? cell : parent};
+  cells_[cell] = {key, {0, 0, 0}, 0, 0, 0, size_ == 1 ? cell : parent};
   slots_[slot] = cell + 1;
   return cell;
 }
@@ -162,7 +163,7 @@ void CellSums::deposit(uint32_t cell, Rgb colour) {
   for (;;) {
     Cell& sums = cells_[cell];
     for (int c = 0; c < 3; ++c) sums.colour[c] += quanta[c];
-    sums.squares = saturatingAdd(sums.squares, squares);
+    sums.addSquares(squares);
     ++sums.paths;
     if (sums.parent == cell) break;
     cell = sums.parent;
@@ -181,7 +182,9 @@ void CellSums::fade(uint32_t mostPaths) {
     // What is left of the light is that of so many paths.
     const double kept = sums.paths > 0 ? paths / static_cast<double>(sums.paths) : 0;
     for (int64_t& channel : sums.colour) channel = static_cast<int64_t>(kept * static_cast<double>(channel));
-    sums.squares = static_cast<uint64_t>(kept * static_cast<double>(sums.squares));
+    const double squares = kept * sums.sumOfSquares() / kSquareQuantum;
+    sums.wraps = static_cast<uint32_t>(squares / kWrap);
+    sums.squares = static_cast<uint64_t>(squares - kWrap * sums.wraps);
     sums.paths = paths;
   }
 }

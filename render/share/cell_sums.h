@@ -45,12 +45,17 @@ class CellSums {
   struct Cell {
     uint64_t key;
     int64_t colour[3];  ///< sum, in quanta; negative where colours are outside of the gamut
-    uint64_t squares;   ///< sum over channels too, in quanta of their own
+    uint64_t squares;   ///< sum over channels too, in quanta of their own, modulo 2^64
+    uint32_t wraps;     ///< how often `squares` has come round
     uint32_t paths;
     uint32_t parent;  ///< always before the cell; of the first cell itself
     int level() const { return static_cast<int>(key & kLightCellLevelMask); }
     glm::dvec3 sum() const;
     double sumOfSquares() const;
+    void addSquares(uint64_t quanta) {
+      squares += quanta;
+      wraps += squares < quanta;
+    }
   };
   const Cell& operator[](uint32_t cell) const { return cells_[cell]; }
 

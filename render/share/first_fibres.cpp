@@ -11,7 +11,8 @@ FirstFibres::FirstFibres(const Scene& scene, const Medium& medium, const CameraR
 
 bool FirstFibres::trace(std::span<PixelSample> wanted, const Task& task) {
   for (PixelSample& sample : wanted) sample.listener = &end_;
-  return tracer_.trace(wanted, counts_, &task);
+  TraceCounts counts;
+  return tracer_.trace(wanted, counts, &task);
 }
 
 bool FirstFibres::isThrough(size_t i) const {

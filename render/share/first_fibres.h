@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "core/base/task.h"
 #include "render/media/medium.h"
@@ -37,7 +37,6 @@ class FirstFibres {
   const Scene& scene_;
   PathTracer tracer_;
   LightCellKeys keys_;
-  TraceCounts counts_;
   End end_;
 };
 

@@ -73,6 +73,7 @@ bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& ce
   const CameraRays camera(scene.fabric->camera, width_, height_);
   std::vector<Strip> strips(static_cast<size_t>((end - nextRow_ + kRows - 1) / kRows));
   parallelFor(strips.size(), task.threads, [&](size_t number) {
+    if (task.stopped()) return;
     FirstFibres fibres(scene, medium, camera);
     std::vector<PixelSample> samples;
     const int top = nextRow_ + static_cast<int>(number) * kRows;

@@ -23,6 +23,7 @@ std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, con
   const CellMeans means(cells);
   const CameraRays camera(scene.fabric->camera, width, height);
   parallelFor(static_cast<size_t>((height + kStripRows - 1) / kStripRows), task.threads, [&](size_t strip) {
+    if (task.stopped()) return;
     FirstFibres fibres(scene, medium, camera);
     std::vector<PixelSample> samples;
     const int top = static_cast<int>(strip) * kStripRows;

@@ -11,6 +11,7 @@ namespace loomlight::test {
 /// lives.
 class FullDisk {
  public:
+  static constexpr rlim_t kFewerThanAnyFile = 2;  ///< bytes: of those that the editor writes
   explicit FullDisk(rlim_t mayHave_bytes) : handler_(signal(SIGXFSZ, SIG_IGN)) {
     getrlimit(RLIMIT_FSIZE, &before_);
     const rlimit full{mayHave_bytes, before_.rlim_max};

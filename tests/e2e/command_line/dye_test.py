@@ -23,7 +23,7 @@ def channels(text):
 
 class Dye(CommandLineTest):
     def seen_from_above(self, fabric):
-        """What the cloth sends back of a white sky: the mean of a picture, linear."""
+        """What the cloth sends back of a white sky: the mean of a picture, linear, of more paths than the dye had walks."""
         self.run_program("render", fabric, "-o", "a.png", "--light", "dome", "--spp", 16, "--exposure", -1)
         width, height, rows = read_png(self.folder / "a.png")
         return [2 * sum(linear(pixel[c]) for row in rows for pixel in row) / (width * height) for c in range(3)]

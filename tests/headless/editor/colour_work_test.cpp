@@ -146,7 +146,7 @@ class ColourwaysAtWork : public testing::Test {
   }
   Fabric savedOnceClosed() {
     editor.click("colourways.close");
-    editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
     return editor.saved();
   }
   static std::vector<std::string> namesOf(const Fabric& cloth) {

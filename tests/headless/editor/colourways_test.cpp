@@ -77,7 +77,7 @@ TEST(Colourways, GoOnPaper) {
   editor.until("they come on", [&] { return done() > before; });
   EXPECT_LE(done(), 100);
   editor.click("busy.cancel");
-  editor.until("it ends", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
   EXPECT_FALSE(std::filesystem::exists(file)) << "nothing is written by halves";
 }
 

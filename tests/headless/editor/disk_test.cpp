@@ -42,7 +42,6 @@ class ClothOnAFullDisk : public testing::Test {
     return names;
   }
 
-  static constexpr rlim_t kRoom_bytes = 2;  // of a file: fewer than any that the editor writes
   HeadlessEditor editor{{960, 720, 1}};
   const fs::path folder = editor.home() / "cloths";
   std::string file;
@@ -53,7 +52,7 @@ TEST_F(ClothOnAFullDisk, IsNotSavedAndItsOldFileStays) {
   const std::string old = test::bytesOf(file);
   turnACrossing();
   {
-    const FullDisk full(kRoom_bytes);
+    const FullDisk full(FullDisk::kFewerThanAnyFile);
     editor.edits("another edit", [&] { editor.dragWidget("yarn.ply_twist_per_m", 40); });
     untilNoCopyIsKept();
     editor.key("ctrl+s");
@@ -64,24 +63,21 @@ TEST_F(ClothOnAFullDisk, IsNotSavedAndItsOldFileStays) {
   EXPECT_THAT(namesInFolder(), ElementsAre("blue.json")) << "something was left beside the file";
 }
 
-/// Where the session had ended, leave() would have no question to answer, and the one that Ctrl+Q asks again would
-/// stay.
 TEST_F(ClothOnAFullDisk, IsNotLostByQuitting) {
   turnACrossing();
   {
-    const FullDisk full(kRoom_bytes);
+    const FullDisk full(FullDisk::kFewerThanAnyFile);
     editor.key("ctrl+q");
     editor.click("message.answer_2");  // Save
     answerOnceSaid(editor, "File too large");
   }
   expectUnsaved();
-  editor.leave();
-  EXPECT_FALSE(editor.shows("message.answer_1")) << "the editor ended with work that it could not save";
+  EXPECT_FALSE(editor.isOver()) << "the editor ended with work that it could not save";
 }
 
 TEST_F(ClothOnAFullDisk, IsSavedElsewhereAndAllIsSafe) {
   {
-    const FullDisk full(kRoom_bytes);
+    const FullDisk full(FullDisk::kFewerThanAnyFile);
     turnACrossing();
     untilNoCopyIsKept();
   }

@@ -216,7 +216,7 @@ TEST_F(DraftParts, KeysOfTheWindow) {
     opens();
     editor.until("the list of keys is shown", [&] { return editor.shows("keys.close"); });
     editor.key(closes);
-    editor.until("the list is gone", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   }
   editor.key("p");
   editor.until("P hides the panels", [&] { return !editor.shows("draft.select"); });

@@ -114,7 +114,7 @@ TEST(FieldsBehindADialog, DoNotKeepItsEscape) {
     editor.click("presets.browse");
     editor.until("the presets are shown", [&] { return editor.fact("dialog") == "open"; });
     editor.key("Escape");
-    editor.until("they are closed", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   };
   const auto goBack = [&] {
     editor.hold("shift");

@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 using test::FullDisk;
 using testing::HasSubstr;
 
-constexpr rlim_t kFullAfter = 2;  // bytes of a file: fewer than any that the editor writes
 constexpr const char* kOld = "what was there";
 
 /// All files below a folder, by their names in it.
@@ -56,13 +55,13 @@ class OnAFullDisk : public testing::Test {
   }
   void close(const std::string& dialog) {
     editor.click(dialog + ".close");
-    editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   }
   /// Of a dialog that renders, with all it needs.
   void leavesTheOldFile(const std::string& dialog, const std::string& file) {
     const std::map<std::string, std::string> before = filesIn(out);
     {
-      const FullDisk full(kFullAfter);
+      const FullDisk full(FullDisk::kFewerThanAnyFile);
       editor.click(dialog + ".start");
       untilSaid(dialog + ".outcome", "File too large");
     }
@@ -98,7 +97,7 @@ TEST_F(OnAFullDisk, AnExportLeavesTheOldFile) {
       editor.click("browser.ok");
     };
     {
-      const FullDisk full(kFullAfter);
+      const FullDisk full(FullDisk::kFewerThanAnyFile);
       replace();
       untilSaid("message", "File too large");
     }
@@ -183,7 +182,7 @@ TEST(OnAFullDiskWithoutADialog, AViewThatWillNotLastIsToldOf) {
   editor.until("the lamp takes room from what is said", [&] { return editor.shows("status.lamp"); });
   editor.untilPictured();
   {
-    const FullDisk full(kFullAfter);
+    const FullDisk full(FullDisk::kFewerThanAnyFile);
     editor.key("k");
     editor.until("it is told of",
                  [&] { return editor.fact("status.warning").starts_with("The view that was kept will not last"); });
@@ -223,7 +222,7 @@ TEST_F(PresetsOnAFullDisk, AllStayAsTheyWere) {
   openWithOne();
   const std::map<std::string, std::string> before = filesIn(presetFolder());
   {
-    const FullDisk full(kFullAfter);
+    const FullDisk full(FullDisk::kFewerThanAnyFile);
     editor.click("presets.keep");
     untilSaid("presets.problem", "Blue 2.json: cannot be written: File too large");
     write("name", "Bluish");
@@ -252,7 +251,7 @@ TEST_F(PresetsOnAFullDisk, OneThatIsRemovedComesBackWithItsTags) {
   openWithOne();
   const std::map<std::string, std::string> before = filesIn(presetFolder());
   {
-    const FullDisk full(kFullAfter);
+    const FullDisk full(FullDisk::kFewerThanAnyFile);
     editor.click(card("Blue"));
     editor.click("presets.remove");
     untilSaid("presets.problem", "tags: cannot be written: File too large");

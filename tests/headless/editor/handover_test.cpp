@@ -33,7 +33,7 @@ class HandOver : public testing::Test {
   }
   void close() {
     editor.click("handover.close");
-    editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
     EXPECT_EQ(editor.fact("dirty"), "no") << "a hand-over is no edit of the cloth";
   }
   bool isThere(const std::string& file) const { return std::filesystem::exists(editor.home() / file); }

@@ -340,7 +340,7 @@ void HeadlessEditor::nameFile(const std::string& file) {
 
 void HeadlessEditor::answer(int index) {
   click(fmt::format("message.answer_{}", index));
-  until("the message is gone", [this] { return fact("dialog") == "none"; });
+  untilNoDialogIsOpen();
 }
 
 Fabric HeadlessEditor::saved() {

@@ -52,6 +52,8 @@ class HeadlessEditor {
   void closeWindow();
   /// Ctrl+Q, without saving; the settings are kept for the next start.
   void leave();
+  /// Whether the session has ended, as after Ctrl+Q and what it asks.
+  bool isOver() const { return session_->isOver(); }
 
   // What there is to see.
   using Rect = WidgetProbe::Rect;
@@ -76,6 +78,9 @@ class HeadlessEditor {
   void frame();
   /// Draws and waits for the workers until it is so.
   void until(const std::string& what, const std::function<bool()>& condition);
+  void untilNoDialogIsOpen() {
+    until("no dialog is open", [this] { return fact("dialog") == "none"; });
+  }
   /// Acts, and waits until the fabric is another one.
   void edits(const std::string& what, const std::function<void()>& act);
   /// Until the picture of the fabric as it is now is shown.

@@ -46,7 +46,7 @@ class Interruptions : public testing::Test {
     editor.click(dialog + ".close");
     editor.until("it has ended", [&] { return outcome(dialog).starts_with("Cancelled"); });
     editor.click(dialog + ".close");
-    editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   }
 
   HeadlessEditor editor{{1280, 1000, 1}};
@@ -85,7 +85,7 @@ TEST_F(Interruptions, TheViewportGoesOnAfterASnapshotThatWasWrittenBehindAQuesti
   editor.click("message.answer_0");
   editor.until("it says so", [&] { return outcome("snapshot").starts_with("Saved"); });
   editor.click("snapshot.close");
-  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
   edit("11");
   editor.untilPictured();
   editor.until("the view rests", [&] { return editor.fact("phase") == "converged"; });
@@ -110,7 +110,7 @@ TEST_F(Interruptions, TheOfferOfUnsavedWorkIsNotLostToWhatElseIsSaid) {
     editor.until("a profile is missed", [&] { return editor.fact("message").find("gone") != std::string::npos; });
     editor.click("message.answer_0");
   }
-  editor.until("both have been said", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
   EXPECT_EQ(editor.fact("dirty"), "yes") << "the work has been taken up";
 }
 

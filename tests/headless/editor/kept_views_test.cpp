@@ -82,7 +82,7 @@ TEST_F(KeptViews, TwoAreCompared) {
   EXPECT_NE(difference, second);
   editor.click("compare.way/Side by side");
   editor.click("compare.close");
-  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
 }
 
 TEST_F(KeptViews, OneIsBroughtBack) {

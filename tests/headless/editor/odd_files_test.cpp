@@ -36,9 +36,6 @@ class SpoiltFolders : public testing::Test {
   SpoiltFolders() {
     for (const fs::path& folder : {presetFolder(), viewFolder(), stateFolder()}) fs::create_directories(folder);
   }
-  void untilNoDialogIsOpen() {
-    editor.until("no dialog is open", [&] { return editor.fact("dialog") == "none"; });
-  }
 
   HeadlessEditor editor{{960, 720, 1}};
 };
@@ -71,7 +68,7 @@ TEST_F(SpoiltFolders, PresetsThatAreNoneAreNotOfferedAndOthersAreKept) {
   editor.until("a preset is kept all the same", [&] { return editor.shows("presets.card/twill"); });
   expectNoneOffered();
   editor.click("presets.close");
-  untilNoDialogIsOpen();
+  editor.untilNoDialogIsOpen();
 }
 
 /// Nor where it has such a name as the editor gives to its views. One disk is read and written in turn: when another
@@ -130,14 +127,15 @@ TEST_F(FilesThatAreNone, AreRefusedByNameAndTheClothStays) {
   expectTheCloth();
 }
 
-/// Of which the browser says that it cannot be looked at; Escape leaves it.
+/// The browser says why, and stays; Escape leaves it.
 TEST_F(FilesThatAreNone, ALinkToItselfIsNotOpened) {
   fs::create_symlink("loop.json", editor.homeFile("loop.json"));
   open("loop.json");
+  editor.until("the browser says why", [&] { return !editor.fact("shortened.browser.problem").empty(); });
   EXPECT_TRUE(editor.shows("browser.name")) << "the browser takes it for a file";
   editor.key("Escape");
   editor.key("Escape");
-  editor.until("the browser is closed", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
   expectTheCloth();
 }
 
@@ -153,13 +151,10 @@ TEST(DraftByMail, IsReadAsWhatItIs) {
     editor.key("ctrl+o");
     editor.nameFile(draft);
   };
-  const auto untilNoDialogIsOpen = [&] {
-    editor.until("no dialog is open", [&] { return editor.fact("dialog") == "none"; });
-  };
   open();
   editor.until("the draft is open", [&] { return editor.fact("name") == "By mail"; });
   editor.click("wif.close");
-  untilNoDialogIsOpen();
+  editor.untilNoDialogIsOpen();
   for (const auto& [ending, said] :
        {std::pair("abc", "a draft (.wif, .plm, .dtx, .twa)"), std::pair("wpo", "as WIF in WeavePoint")}) {
     const std::string other = editor.homeFile(std::string("draft.") + ending);
@@ -168,7 +163,7 @@ TEST(DraftByMail, IsReadAsWhatItIs) {
     open();
     untilSaid(editor, said);
     editor.key("Return");
-    untilNoDialogIsOpen();
+    editor.untilNoDialogIsOpen();
   }
 }
 

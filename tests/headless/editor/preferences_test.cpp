@@ -36,7 +36,7 @@ class PreferencesTest : public testing::Test {
     editor.enter("preferences.piece_length", "60");
     editor.enter("preferences.piece_width", "140");
     editor.click("preferences.close");
-    editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   }
   void expectUnitsUsed() {
     editor.click("tab.cloth");
@@ -98,7 +98,7 @@ TEST_F(PreferencesTest, EscapeLeavesOneThing) {
   editor.until("the number is left", [&] { return editor.fact("text_input") == "no"; });
   EXPECT_EQ(editor.fact("dialog"), "open") << "Escape was meant for the list and for the number";
   editor.key("Escape");
-  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
 }
 
 }  // namespace

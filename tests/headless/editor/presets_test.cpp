@@ -65,7 +65,7 @@ class Presets : public testing::Test {
   void use(const std::string& name) {
     editor.click(card(name));
     editor.click("presets.use");
-    editor.until("the browser closes", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   }
   /// As they are on the disk.
   static std::string tagsOf(const std::string& name) {

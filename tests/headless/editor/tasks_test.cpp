@@ -34,9 +34,6 @@ class DesignersTasks : public testing::Test {
     task();
     return editor.actions() - before;
   }
-  void untilNoDialogIsOpen() {
-    editor.until("no dialog is open", [&] { return editor.fact("dialog") == "none"; });
-  }
   void untilNothingIsTyped() {
     editor.until("nothing is typed", [&] { return editor.fact("text_input") == "no"; });
   }
@@ -62,7 +59,7 @@ class DesignersTasks : public testing::Test {
     editor.key("ctrl+s");
     name(file);
     editor.until("it is saved", [&] { return editor.fact("file") == file && editor.fact("dirty") == "no"; });
-    untilNoDialogIsOpen();
+    editor.untilNoDialogIsOpen();
     return readFabric(file);
   }
   void beginAnew() {
@@ -141,7 +138,7 @@ TEST_F(DesignersTasks, ASilkSatinOfAWantedColourTakesAtMostTwelveActions) {
               fillIn("presets.search", "charm");
               editor.click("presets.card/Charmeuse");
               editor.key("Return");
-              untilNoDialogIsOpen();
+              editor.untilNoDialogIsOpen();
               editor.click("tab.fibre");
               editor.click("fibre.dyed/Piece");
               dye("#8c4453");
@@ -179,7 +176,7 @@ TEST_F(DesignersTasks, APictureIsWovenInAtMostSixActions) {
               open(file);
               editor.until("the picture is read", [&] { return editor.fact("picture.state") == "ready"; });
               editor.key("Return");
-              untilNoDialogIsOpen();
+              editor.untilNoDialogIsOpen();
               cloth = savedFirst(editor.homeFile("rings.json"));
             }),
             6);
@@ -213,9 +210,9 @@ TEST_F(DesignersTasks, AMeshAndSurroundingsOfOnesOwnAndATileTakeAtMostEightActio
   editor.startWithoutFile(smallTwill());
   EXPECT_LE(actionsOf([&] {
               open(LOOMLIGHT_SAMPLES "/folded_cloth.obj");
-              untilNoDialogIsOpen();
+              editor.untilNoDialogIsOpen();
               open(light);
-              untilNoDialogIsOpen();
+              editor.untilNoDialogIsOpen();
               editor.key("ctrl+e");
               editor.until("the tile's size is known", [&] { return editor.fact("tile.size_mm").ends_with("mm"); });
               fillIn("tile.size", "32");  // what is soon rendered
@@ -229,7 +226,7 @@ TEST_F(DesignersTasks, AMeshAndSurroundingsOfOnesOwnAndATileTakeAtMostEightActio
   const auto tile = nlohmann::json::parse(test::bytesOf(tiles[0]));
   EXPECT_EQ(std::max(tile["width_px"].get<int>(), tile["height_px"].get<int>()), 32);
   editor.key("Return");
-  untilNoDialogIsOpen();
+  editor.untilNoDialogIsOpen();
   const std::string scene = editor.homeFile("scene.json");
   savedFirst(scene);
   const auto saved = nlohmann::json::parse(test::bytesOf(scene));
@@ -282,7 +279,7 @@ TEST_F(WrongValues, AFileThatIsNotThereIsSaidToBeMissing) {
                [&] { return editor.fact("shortened.browser.problem") == "There is no " + missing; });
   EXPECT_TRUE(editor.shows("browser.problem"));
   editor.click("browser.cancel");
-  untilNoDialogIsOpen();
+  editor.untilNoDialogIsOpen();
   expectUntouched(missing);
 }
 

@@ -41,7 +41,7 @@ TEST_F(UnsavedWork, EscapeFromTheQuestionDoesNothing) {
   editor.key("ctrl+n");
   untilAsked();
   editor.key("Escape");
-  editor.until("the question is gone", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
   EXPECT_EQ(editor.fact("name"), "One");
   EXPECT_EQ(editor.fact("dirty"), "yes");
   editor.key("ctrl+n");
@@ -101,7 +101,7 @@ TEST_F(UnsavedWork, SnapshotsAreWrittenBesideEachOther) {
     editor.until("the snapshot is there", [&] { return editor.fact("snapshot.outcome").starts_with("Saved"); });
     EXPECT_TRUE(editor.fact("snapshot.outcome").ends_with("/" + name)) << editor.fact("snapshot.outcome");
     editor.click("snapshot.close");
-    editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   }
 }
 

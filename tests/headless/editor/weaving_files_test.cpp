@@ -88,7 +88,7 @@ class WeavingFiles : public testing::Test {
     editor.until("the WIF draft is opened", [&] { return editor.fact("name") == "Rosepath"; });
     EXPECT_GE(editor.number("wif.warnings"), 1u) << "nothing is said of Shafts=four";
     editor.click("wif.close");
-    editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   }
   /// File > Export > item, to that file.
   std::string exportTo(const std::string& item, const std::string& name) {
@@ -121,7 +121,7 @@ TEST_F(WeavingFiles, AFabricFromBeforePressingIsToldOf) {
     editor.until("it is told of",
                  [&] { return editor.fact("message").find("older than the pressing of yarns") != std::string::npos; });
     editor.answer();
-    editor.until("once", [&] { return editor.fact("dialog") == "none"; });
+    editor.untilNoDialogIsOpen();
   };
   open(file);
   isToldOf();
@@ -166,7 +166,7 @@ TEST_F(WeavingFiles, ADraftIsSeenBeforeItIsOpened) {
   editor.until("the draft is seen", [&] { return editor.fact("browser.preview") == "picture"; });
   EXPECT_THAT(editor.fact("browser.about"), HasSubstr("6 ends, 4 picks, 4 shafts"));
   editor.key("Escape");
-  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
 }
 
 TEST_F(WeavingFiles, ADraftIsExported) {
@@ -188,7 +188,7 @@ TEST_F(WeavingFiles, ABitmapGoesOutAndComesBack) {
   open(file);
   editor.until("two colours are found", [&] { return editor.fact("picture.colours") == "2"; });
   editor.edits("it is woven", [&] { editor.click("picture.weave"); });
-  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
   EXPECT_EQ(editor.savedAs(editor.homeFile("again.json")).draft.value().threading, kThreading);
 }
 
@@ -210,7 +210,7 @@ TEST_F(WeavingFiles, ATileIsExported) {
   editor.click("tile.start");
   editor.until("the tile is written", [&] { return editor.fact("tile.outcome").starts_with("Written"); });
   editor.click("tile.close");
-  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  editor.untilNoDialogIsOpen();
   const auto tile = nlohmann::json::parse(readFile(file, kMost_bytes));
   EXPECT_EQ(std::max(tile["width_px"].get<int>(), tile["height_px"].get<int>()), 32);
   EXPECT_TRUE(std::filesystem::exists(editor.home() / tile["maps"]["normal"]["file"].get<std::string>()));

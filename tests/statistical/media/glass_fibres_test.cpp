@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "render/scene/pixel_filter.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_medium.h"
 #include "tests/support/sampled_mean.h"
@@ -41,6 +42,7 @@ Fabric filaments() {
 /// group, so its mean is nearer to the truth than as many paths that know nothing of each other.
 using Pixel = std::vector<glm::dvec3>;
 constexpr uint32_t kGroup = 64;
+static_assert(kBatch % kGroup == 0);
 void add(Pixel& pixel, uint32_t path, const Rgb& colour) {
   if (path % kGroup == 0) pixel.emplace_back(0);
   pixel.back() += glm::dvec3(colour) / double{kGroup};
@@ -86,7 +88,8 @@ Picture rayTraced(const Scene& scene, uint32_t samples) {
       Random random(number, i);
       random.stratify(0, PathIntegrator::kFirstDimension);
       const float u = random.uniform(), v = random.uniform();
-      const Ray ray = camera.ray(static_cast<float>(x) + u, static_cast<float>(y) + v);
+      const glm::vec2 place = glm::vec2(x, y) + TriangleFilter::sample({u, v});
+      const Ray ray = camera.ray(place.x, place.y);
       const auto path = glass.follow(ray.origin, ray.direction, random);
       EXPECT_TRUE(path.escaped);
       const Rgb arriving = path.met ? scene.lighting->escape(glm::vec3(path.direction)) : Rgb(0);

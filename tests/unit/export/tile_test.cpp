@@ -113,6 +113,37 @@ TEST(Tile, AWhiteClothHasAWhiteBaseColourAndItsHoles) {
   EXPECT_LT(*high - *low, 2);
 }
 
+// A map of few samples is as near to one of many as if it had several times as many, and as bright.
+TEST(Tile, ColoursHaveLittleNoise) {
+  Fabric fabric = openWeave();
+  fabric.fibres[0].absorption_per_mm = Rgb(10, 20, 40);
+  fabric.render.samplesPerPixel = 8;
+  const Fabric scene = tileScene(fabric, tileExtent(fabric), 96);
+  const Film few = rendered(scene);
+  Fabric longer = scene;
+  longer.render.samplesPerPixel = 256;
+  longer.render.seed = 1;
+  const Film many = rendered(longer);
+  const TileMaps maps = tileMaps(few, scene);
+  double ours = 0, plain = 0, light = 0, sum = 0, plainSum = 0;
+  for (int y = 0; y < maps.height; ++y)
+    for (int x = 0; x < maps.width; ++x) {
+      const float alpha = few.alpha(x, y);
+      if (alpha == 0 || many.alpha(x, y) == 0) continue;
+      const Rgb truth = many.mean(x, y) / many.alpha(x, y), as_traced = few.mean(x, y) / alpha;
+      const Rgb colour =
+          maps.baseColour[static_cast<size_t>(y) * static_cast<size_t>(maps.width) + static_cast<size_t>(x)];
+      const Rgb off = colour - truth, plainOff = as_traced - truth;
+      ours += alpha * glm::dot(off, off);
+      plain += alpha * glm::dot(plainOff, plainOff);
+      light += alpha * glm::dot(truth, truth);
+      sum += alpha * luminance(colour);
+      plainSum += alpha * luminance(as_traced);
+    }
+  EXPECT_LT(ours, plain / 3);
+  EXPECT_NEAR(sum, plainSum, 0.01 * plainSum);
+}
+
 /// Mean difference of neighbouring columns of the opacity: within the tile, and from its last to its first.
 TEST(Tile, OppositeEdgesMeet) {
   const Fabric fabric = openWeave();

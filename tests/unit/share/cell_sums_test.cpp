@@ -113,6 +113,17 @@ TEST(CellMeans, WhatAParentIsWorthDoesNotDependOnHowBrightTheLightIs) {
   }
 }
 
+TEST(CellSums, SquaresOfBrightLightAddUpBeyondAnyWord) {
+  CellSums sums;
+  const uint32_t cell = sums.add(path(1));
+  constexpr int kPaths = 1 << 10;
+  for (int i = 0; i < kPaths; ++i) sums.deposit(cell, Rgb(0x1p16f, 0, 0));  // each 2^60 quanta
+  EXPECT_EQ(sums[cell].sumOfSquares(), kPaths * 0x1p32);
+  sums.fade(kPaths / 4);
+  EXPECT_EQ(sums[cell].paths, kPaths / 4u);
+  EXPECT_EQ(sums[cell].sumOfSquares(), kPaths / 4 * 0x1p32);
+}
+
 // Beside white yarns on both sides of the cloth, all alike and well known, the first few paths from a red one.
 TEST(CellMeans, AYarnThatIsNewHasItsOwnColour) {
   CellSums sums;
