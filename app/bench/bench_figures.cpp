@@ -127,8 +127,7 @@ bool addLocalVisibility(ReportPage& page, const ReportBench& bench, const Task& 
   for (const LightKind kind : {LightKind::headlight, LightKind::dome}) {
     Light light = fabric.light;
     light.kind = kind;
-    const auto pictures =
-        renderInTurns(cloths, light, bench.quick ? (kind == LightKind::headlight ? 32 : 8) : 32, task);
+    const auto pictures = renderInTurns(cloths, light, bench.quick && kind != LightKind::headlight ? 8 : 32, task);
     if (!pictures) return false;
     std::vector<Pixels8> strip{shown((*pictures)[0])};
     for (size_t i = 1; i < cloths.size(); ++i) {

@@ -69,8 +69,8 @@ int leastCommonMultiple(int a, int b) {
 }
 
 // What one node of a path comes from: the float state in 2 bits, the side in 1, the leaning in 4, the float state of
-// the yarn that is crossed in 2, its class in kClassBits. A cell's shape code has its own class above
-// those of its three nodes.
+// the yarn that is crossed in 2, its class in kClassBits. A cell's shape code has its own class above those of its
+// three nodes.
 constexpr int kFloatBits = 3, kOverBit = 4, kLeaningBits = 4, kOtherShift = kFloatBits + kLeaningBits;
 constexpr int kOtherBits = 2, kClassShift = kOtherShift + kOtherBits;
 constexpr int kClassBits = 6, kNodeBits = kClassShift + kClassBits;

@@ -27,10 +27,6 @@ class ClothOnAFullDisk : public testing::Test {
     fs::create_directory(folder);
     file = editor.start(smallCloth("Blue"), "cloths/blue.json");
   }
-  void turnACrossing() {
-    editor.click("draft.cell_0_0");
-    editor.until("the cloth is edited", [&] { return editor.fact("dirty") == "yes"; });
-  }
   void untilNoCopyIsKept() {
     editor.until("the editor says that no copy is kept",
                  [&] { return editor.fact("autosave_problem").find("File too large") != std::string::npos; });
@@ -50,7 +46,7 @@ class ClothOnAFullDisk : public testing::Test {
 /// The disk fills up while one works: of what was edited before there may be a copy, of what came since there is none.
 TEST_F(ClothOnAFullDisk, IsNotSavedAndItsOldFileStays) {
   const std::string old = test::bytesOf(file);
-  turnACrossing();
+  editor.turnACrossing();
   {
     const FullDisk full(FullDisk::kFewerThanAnyFile);
     editor.edits("another edit", [&] { editor.dragWidget("yarn.ply_twist_per_m", 40); });
@@ -64,7 +60,7 @@ TEST_F(ClothOnAFullDisk, IsNotSavedAndItsOldFileStays) {
 }
 
 TEST_F(ClothOnAFullDisk, IsNotLostByQuitting) {
-  turnACrossing();
+  editor.turnACrossing();
   {
     const FullDisk full(FullDisk::kFewerThanAnyFile);
     editor.key("ctrl+q");
@@ -78,7 +74,7 @@ TEST_F(ClothOnAFullDisk, IsNotLostByQuitting) {
 TEST_F(ClothOnAFullDisk, IsSavedElsewhereAndAllIsSafe) {
   {
     const FullDisk full(FullDisk::kFewerThanAnyFile);
-    turnACrossing();
+    editor.turnACrossing();
     untilNoCopyIsKept();
   }
   const Fabric elsewhere = editor.savedAs((folder / "elsewhere.json").string());
@@ -91,8 +87,7 @@ TEST_F(ClothOnAFullDisk, IsSavedElsewhereAndAllIsSafe) {
 TEST(ClothInAReadOnlyPlace, IsNotSaved) {
   HeadlessEditor editor{{960, 600, 1}};
   editor.start(smallCloth("Blue"));
-  editor.click("draft.cell_0_0");
-  editor.until("the cloth is edited", [&] { return editor.fact("dirty") == "yes"; });
+  editor.turnACrossing();
   editor.key("ctrl+shift+s");
   editor.nameFile("/sys/cloth.json");
   answerOnceSaid(editor, "/sys/cloth.json");

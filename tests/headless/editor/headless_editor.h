@@ -83,6 +83,11 @@ class HeadlessEditor {
   }
   /// Acts, and waits until the fabric is another one.
   void edits(const std::string& what, const std::function<void()>& act);
+  /// The first one of the draft: so there is unsaved work.
+  void turnACrossing() {
+    click("draft.cell_0_0");
+    until("the cloth is edited", [this] { return fact("dirty") == "yes"; });
+  }
   /// Until the picture of the fabric as it is now is shown.
   void untilPictured();
   /// Its middle, once it has come to rest.

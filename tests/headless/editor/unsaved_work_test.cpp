@@ -19,10 +19,6 @@ namespace fs = std::filesystem;
 
 class UnsavedWork : public testing::Test {
  protected:
-  void spoil() {
-    editor.click("draft.cell_0_0");
-    editor.until("the cloth is edited", [&] { return editor.fact("dirty") == "yes"; });
-  }
   void untilAsked() { untilSaid(editor, "has changes that are not saved"); }
   /// A cloth that lies there, and is not open.
   std::string written(const std::string& name) {
@@ -34,10 +30,10 @@ class UnsavedWork : public testing::Test {
   HeadlessEditor editor{{960, 600, 1}};
 };
 
-/// And one is asked again.
+/// The work is still unsaved then, so the next attempt asks again.
 TEST_F(UnsavedWork, EscapeFromTheQuestionDoesNothing) {
   editor.start(smallCloth("One"));
-  spoil();
+  editor.turnACrossing();
   editor.key("ctrl+n");
   untilAsked();
   editor.key("Escape");
@@ -50,7 +46,7 @@ TEST_F(UnsavedWork, EscapeFromTheQuestionDoesNothing) {
 
 TEST_F(UnsavedWork, EnterSavesBeforeAnythingElse) {
   const std::string file = editor.start(smallCloth("One"));
-  spoil();
+  editor.turnACrossing();
   const Weave before = readFabric(file).weave;
   editor.key("ctrl+n");
   untilAsked();
@@ -63,7 +59,7 @@ TEST_F(UnsavedWork, EnterSavesBeforeAnythingElse) {
 TEST_F(UnsavedWork, SavingFirstMayTakeAName) {
   const std::string other = written("Two"), begun = editor.homeFile("begun.json");
   editor.startWithoutFile(smallCloth("One"));
-  spoil();
+  editor.turnACrossing();
   editor.key("ctrl+o");
   editor.nameFile(other);
   untilAsked();
@@ -119,7 +115,7 @@ std::vector<fs::path> keptCopies() {
 /// of its own, in tests/e2e/editor/unsaved_work_test.py.
 TEST_F(UnsavedWork, IsTakenUpThatAKilledEditorLeft) {
   const std::string two = editor.start(smallCloth("Two"), "two.json");
-  spoil();
+  editor.turnACrossing();
   editor.until("a copy is kept", [] { return !keptCopies().empty(); });
   editor.crash();
   const std::vector<fs::path> copies = keptCopies();
