@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/media/known_lanes.h"
+
 // How it works. Each lane of the kernel (render/walk) holds one ray, and the kernel returns as soon as any of them
 // needs more than voxels. Here such a ray is served: at the end of a cell it gets the next one with the bricks that
 // reach into it, at the end of a tetrahedron of the shell the next segment with its frame, and when it has met a
@@ -12,16 +14,6 @@ namespace loomlight {
 namespace {
 
 static_assert(CellLanes::kSlots == VoxelContent::kMaxSpans, "a lane has a place for every brick of a cell");
-
-void put(LaneFloats (&columns)[3], size_t lane, glm::vec3 v) {
-  for (int axis = 0; axis < 3; ++axis) columns[axis][lane] = v[axis];
-}
-void put(LaneInts (&columns)[3], size_t lane, glm::ivec3 v) {
-  for (int axis = 0; axis < 3; ++axis) columns[axis][lane] = v[axis];
-}
-int32_t numberOf(YarnId yarn) {
-  return 2 * yarn.index + static_cast<int32_t>(yarn.system);
-}
 
 }  // namespace
 
@@ -64,6 +56,7 @@ LaneWalker::LaneWalker(const TraceData& cloth, const Rules& rules)
   field_.packing = rules.packing;
   field_.hotSpot = rules.hotSpot;
   field_.boxes = rules.boxes;
+  field_.byDensity = rules.law == EventLaw::report;
   field_.flat = cloth.shell->isFlat();
   *lanes_ = {};
   lanes_->stop.fill(static_cast<int32_t>(WalkStop::leftSegment));
@@ -144,9 +137,15 @@ bool LaneWalker::enterSegment(size_t lane, const DepthRay& ray) {
       l.densityScale[lane] = s.drape.densityScale;
     }
     if (field_.hotSpot) {
-      if (!own.pastSegmentsTold) setPastSegments(lane, ray);
+      if (!own.pastSegmentsTold) putPastSegments(l.known, lane, *ray.known, s.origin);
       own.pastSegmentsTold = true;
-      setBefore(lane, ray);
+      const KnownFibre& before = ray.known->before;
+      l.known.before.radius_mm[lane] = before.radius_mm;
+      if (before.radius_mm > 0) {
+        const FibreInCloth inCloth(before, s.origin, *cloth_.shell, s.tet);
+        own.toBefore_mm = inCloth.toAxis_mm;
+        putBefore(l.known.before, lane, before, inCloth);
+      }
     }
     enterCell(lane);
     return true;
@@ -155,41 +154,13 @@ bool LaneWalker::enterSegment(size_t lane, const DepthRay& ray) {
   return false;
 }
 
-void LaneWalker::setPastSegments(size_t lane, const DepthRay& ray) {
-  const glm::vec3 origin = rays_[lane].shell->segment().origin;
-  for (size_t i = 0; i < ray.known->pastSegments.size(); ++i) {
-    const RaySegment& past = ray.known->pastSegments[i];
-    WalkLanes::PastSegment& columns = lanes_->pastSegments[i];
-    put(columns.offset_mm, lane, origin - past.end);
-    put(columns.direction, lane, past.direction);
-    columns.length_mm[lane] = past.length_mm;
-  }
-}
-
-void LaneWalker::setBefore(size_t lane, const DepthRay& ray) {
-  const KnownFibre& before = ray.known->before;
-  WalkLanes::Before& columns = lanes_->before;
-  columns.radius_mm[lane] = before.radius_mm;
-  if (before.radius_mm <= 0) return;
-  const ShellSegment& s = rays_[lane].shell->segment();
-  glm::vec3 toAxis = before.axis - s.origin, tangent = before.tangent;
-  if (!field_.flat) {
-    const glm::mat3& toCloth = cloth_.shell->tets()[s.tet].toCloth;
-    toAxis = toCloth * toAxis;
-    tangent = glm::normalize(toCloth * tangent);
-  }
-  rays_[lane].toBefore_mm = toAxis;
-  put(columns.tangent, lane, tangent);
-  columns.yarn[lane] = numberOf(before.yarnId);
-}
-
 /// Fills in what is counted from the corner of the cell, and the bricks that reach into it.
 void LaneWalker::enterCell(size_t lane) {
   Ray& own = rays_[lane];
   WalkLanes& l = *lanes_;
   put(l.start_mm, lane, own.march->start_mm());
-  if (field_.hotSpot && l.before.radius_mm[lane] > 0)
-    put(l.before.axis_mm, lane, own.march->start_mm() + own.toBefore_mm);
+  if (field_.hotSpot && l.known.before.radius_mm[lane] > 0)
+    put(l.known.before.axis_mm, lane, own.march->start_mm() + own.toBefore_mm);
   if (own.march->cell() == own.slotsOf) return;
   own.slotsOf = own.march->cell();
   cells_.fill(own.slotsOf, l.cell, lane);

@@ -12,12 +12,6 @@
 
 namespace loomlight {
 
-/// What a path knows of the fibres around it.
-struct KnownFibres {
-  KnownFibre leaving, before;                ///< the last fibre that it met, and the one before
-  std::array<RaySegment, 2> pastSegments{};  ///< to both, the newest first
-};
-
 /// A ray that is to walk through draped cloth until it has used up an optical depth.
 struct DepthRay {
   ScenePoint from;
@@ -92,6 +86,7 @@ class LaneWalker {
     bool packing = true;    ///< light keeps to the gaps between fibres that do not overlap
     bool hotSpot = true;    ///< what is known of fibres counts
     bool boxes = true;      ///< fibres are in the boxes of their voxels alone
+    EventLaw law = EventLaw::projected;
   };
   LaneWalker(const TraceData& cloth, const Rules& rules);
 
@@ -116,8 +111,6 @@ class LaneWalker {
   bool enterSegment(size_t lane, const DepthRay& ray);
   void enterCell(size_t lane);
   bool leaveCell(size_t lane);
-  void setPastSegments(size_t lane, const DepthRay& ray);
-  void setBefore(size_t lane, const DepthRay& ray);
   void tellFound(size_t lane, DepthRayEnds& ends);
 
   const TraceData& cloth_;

@@ -76,7 +76,7 @@ class LoomlightMedium final : public Medium {
   const TraceData& cloth() const { return *cloth_; }
   const Ingredients& ingredients() const { return ingredients_; }
   LaneWalker::Rules walkRules() const {
-    return {farthest_mm_, ingredients_.packing, ingredients_.hotSpot, ingredients_.boxes};
+    return {farthest_mm_, ingredients_.packing, ingredients_.hotSpot, ingredients_.boxes, ingredients_.law};
   }
   float radius_mm() const { return radius_mm_; }  ///< see below
   glm::mat3 toClothOf(int tet) const;             ///< d cloth / d world

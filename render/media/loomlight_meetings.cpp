@@ -7,7 +7,7 @@
 #include "render/media/across_fibre.h"
 #include "render/media/antithetic_points.h"
 #include "render/media/fibre_tangent.h"
-#include "render/media/voxel_extinction.h"
+#include "render/media/known_lanes.h"
 
 // How it works. A walk has found the voxel in which the depth of a ray is used up. Two antithetic points of the
 // hemisphere about the ray (AntitheticPoints) say where the axis of the fibre could lie instead, and the extinction of
@@ -17,44 +17,19 @@
 // extinction in a voxel, such as a way that is known to be free, changes the walk and the choice of a component alike,
 // or a white furnace would not stay white; which of the two points is taken hangs on all fibres, known or not.
 //
-// Most voxels hold one component, which the walk names; where there are several, one ray after the other chooses.
+// Most voxels hold one component, which the walk names; where there are several, render/walk chooses.
 namespace loomlight {
 namespace {
 
-/// The share of extinction that a voxel's fibres have left near the flights before, and beside the fibre that the last
-/// of these flights came from: that one is met for itself, so a voxel must not count it again.
-class CorrelatedShare {
- public:
-  CorrelatedShare(const LoomlightMeetings::Meeting& meeting, glm::vec3 light, const VoxelGrid& grid,
-                  const glm::mat3& toCloth)
-      : known_(meeting.memory->known),
-        middle_(light + meeting.found->toMiddle_mm * meeting.direction),
-        lower_(glm::vec3(meeting.found->voxel) * grid.size_mm) {
-    const KnownFibre& before = known_.before;
-    if (before.radius_mm <= 0) return;
-    before_.emplace(meeting.found->inCell_mm + toCloth * (before.axis - light),
-                    glm::normalize(toCloth * before.tangent), before.radius_mm, grid);
+/// A component's fibres as they lie in the world.
+FibreDistribution inWorld(FibreDistribution fibres, const LocalDrape& drape) {
+  if (!drape.isometric) {
+    float stretch = 1;
+    fibres.direction = drape.tangent(fibres.direction, stretch);
+    fibres.lengthDensity *= stretch * drape.densityScale;
   }
-
-  float operator()(const VoxelFibres& component) const {
-    const FibreDistribution& fibres = component.fibres;
-    const YarnOptics& optics = *component.optics;
-    float absent = 0;
-    for (const RaySegment& past : known_.pastSegments)
-      if (past.length_mm > 0)
-        absent = std::max(absent, knownAbsent(past, middle_, fibres.direction, fibres.spread, optics.fibreRadius_mm));
-    float before = 0;
-    if (before_ && component.yarnId() == known_.before.yarnId && optics.packed)
-      before = std::min(1.0f, before_->lengthDensity(lower_) / fibres.lengthDensity);
-    return (1 - absent) * (1 - before);
-  }
-
- private:
-  const KnownFibres& known_;
-  glm::vec3 middle_;  ///< of the ray in the voxel, world
-  glm::vec3 lower_;   ///< corner of the voxel, from that of its cell
-  std::optional<FibreInVoxels> before_;
-};
+  return fibres;
+}
 
 glm::vec3 lightOf(const LoomlightMeetings::Meeting& meeting) {
   return meeting.from->world + meeting.found->t_mm * meeting.direction;
@@ -77,8 +52,13 @@ struct LoomlightMeetings::Fibres {
 };
 
 LoomlightMeetings::LoomlightMeetings(const LoomlightMedium& medium, LaneWalker& walker)
-    : medium_(medium), cloth_(medium.cloth()), walker_(walker), looks_(std::make_unique<LookLanes>()) {
+    : medium_(medium),
+      cloth_(medium.cloth()),
+      walker_(walker),
+      looks_(std::make_unique<LookLanes>()),
+      choices_(std::make_unique<ChoiceLanes>()) {
   *looks_ = {};
+  *choices_ = {};
 }
 
 void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
@@ -96,11 +76,9 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
     takenLook_ = broadcast<Lanes>(kNone);
     amongAll_ = random.inUse();
   }
+  chooseFibres(meetings);
   Fibres fibres;
-  for (size_t lane = 0; lane < count; ++lane) {
-    meetings[lane].met->emplace();
-    choose(meetings[lane], lane, fibres);
-  }
+  for (size_t lane = 0; lane < count; ++lane) take(meetings[lane], lane, fibres);
   const Vectors drawn = medium_.ingredients().law == EventLaw::report
                             ? anyTangent<Lanes>(fibres.direction, fibres.spread, random)
                             : projectedTangent<Lanes>(fibres.direction, fibres.spread, direction, random);
@@ -109,29 +87,7 @@ void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
   const Vectors tangent = way * drawn;
   if (medium_.ingredients().finiteRadius) offset = OffsetAcross<Lanes>(direction, tangent)(points_[0]);
   const Vectors inwards = -fibres.radius_mm * surfaceNormal<Lanes>(direction, tangent, offset);
-
-  for (size_t lane = 0; lane < count; ++lane) {
-    const Meeting& meeting = meetings[lane];
-    const auto vectorOf = [&](const Vectors& v) { return glm::vec3(v.x[lane], v.y[lane], v.z[lane]); };
-    Collision& c = **meeting.met;
-    c.place = {lightOf(meeting), meeting.found->tet};
-    c.distance_mm = meeting.found->t_mm;
-    c.incoming = meeting.direction;
-    c.tangent = vectorOf(tangent);
-    c.offset = offset[lane];
-    c.normal = meeting.found->drape.normal();
-    c.axis = c.place.world + vectorOf(inwards);
-    c.radius_mm = c.optics.fibreRadius_mm;
-    c.material = drawMaterial(c.optics, *meeting.random);
-    LoomlightMedium::HowMet& how = meeting.memory->howMet;
-    how.amongAll = amongAll_[lane] != 0;
-    how.points[0] = vectorOf(points_[0]);
-    how.points[1] = vectorOf(points_[1]);
-    const glm::vec3 size = cloth_.volume->grid().size_mm, voxel(meeting.found->voxel);
-    how.lower_mm = (voxel + common_[lane].lower) * size - meeting.found->inCell_mm;
-    how.upper_mm = (voxel + common_[lane].upper) * size - meeting.found->inCell_mm;
-    how.ahead_mm = meeting.found->ahead_mm;
-  }
+  for (size_t lane = 0; lane < count; ++lane) tell(meetings[lane], lane, tangent, offset[lane], inwards);
 }
 
 /// Draws the two points of each meeting, and which of them is taken.
@@ -232,85 +188,111 @@ LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> me
 void LoomlightMeetings::wantLook(const Meeting& meeting, size_t lane, glm::vec3 axis_mm) {
   const auto place = cloth_.volume->locate(meeting.found->cell, axis_mm);
   if (!place) return;
-  LookLanes& l = *looks_;
-  l.wanted[lane] = 1;
-  cells_[lane] = place->cell;
-  for (int axis = 0; axis < 3; ++axis) {
-    l.direction[axis][lane] = meeting.direction[axis];
-    l.voxel[axis][lane] = place->voxel[axis];
-    l.inVoxel[axis][lane] = place->inVoxel[axis];
-  }
-  if (const LocalDrape& drape = meeting.found->drape; !drape.isometric) {
-    for (int column = 0; column < 3; ++column)
-      for (int row = 0; row < 3; ++row) l.frame[column][row][lane] = drape.frame[column][row];
-    l.densityScale[lane] = drape.densityScale;
-  }
-  walker_.cells().fill(place->cell, l.cell, lane);
+  lookPlaces_[lane] = *place;
+  fill(*looks_, lane, *place, meeting);
 }
 
-/// The component that a meeting is with.
-void LoomlightMeetings::choose(const Meeting& meeting, size_t lane, Fibres& fibres) {
+/// What a lane has of a place, and of a ray that comes to it.
+void LoomlightMeetings::fill(VoxelPlaceLanes& lanes, size_t lane, const ClothVolume::PlaceInVoxel& place,
+                             const Meeting& meeting) {
+  lanes.wanted[lane] = 1;
+  put(lanes.direction, lane, meeting.direction);
+  put(lanes.voxel, lane, place.voxel);
+  put(lanes.inVoxel, lane, place.inVoxel);
+  if (const LocalDrape& drape = meeting.found->drape; !drape.isometric) {
+    for (int column = 0; column < 3; ++column) put(lanes.frame[column], lane, drape.frame[column]);
+    lanes.densityScale[lane] = drape.densityScale;
+  }
+  walker_.cells().fill(place.cell, lanes.cell, lane);
+}
+
+/// Where the axis of the fibre is; in the found voxel this only says whose boxes it is in.
+ClothVolume::PlaceInVoxel LoomlightMeetings::placeOfAxis(const Meeting& meeting, size_t lane) const {
   const FoundFibres& found = *meeting.found;
   const auto look = static_cast<int>(takenLook_[lane]);
-  if (look == kAmongAll) return chooseFound(meeting, lane, 0.5f * (common_[lane].lower + common_[lane].upper), fibres);
-  if (look == kNone) {
-    const glm::vec3 ahead = medium_.toClothOf(found.tet) * (found.ahead_mm * meeting.direction);
-    const glm::vec3 inVoxel = (found.inCell_mm + ahead) / cloth_.volume->grid().size_mm - glm::vec3(found.voxel);
-    return chooseFound(meeting, lane, inVoxel, fibres);
+  if (look >= 0) return lookPlaces_[static_cast<size_t>(look)];
+  if (look == kAmongAll) return {found.cell, found.voxel, 0.5f * (common_[lane].lower + common_[lane].upper)};
+  const glm::vec3 ahead = medium_.toClothOf(found.tet) * (found.ahead_mm * meeting.direction);
+  return {found.cell, found.voxel, (found.inCell_mm + ahead) / cloth_.volume->grid().size_mm - glm::vec3(found.voxel)};
+}
+
+/// Names the component of each meeting.
+void LoomlightMeetings::chooseFibres(std::span<const Meeting> meetings) {
+  choices_->wanted.fill(0);
+  for (size_t lane = 0; lane < meetings.size(); ++lane) {
+    const FoundFibres& found = *meetings[lane].found;
+    const ClothVolume::PlaceInVoxel place = placeOfAxis(meetings[lane], lane);
+    Met& met = met_[lane];
+    met = {found.cell, found.component, found.slot};
+    if (const auto look = static_cast<int>(takenLook_[lane]); look >= 0) {
+      const FoundLanes& there = looks_->found;
+      met = {place.cell, there.component[static_cast<size_t>(look)], there.slot[static_cast<size_t>(look)]};
+    }
+    if (met.component == FoundLanes::kSeveral) wantChoice(meetings[lane], lane, place);
   }
-  const auto i = static_cast<size_t>(look);
-  const glm::ivec3 voxel(looks_->voxel[0][i], looks_->voxel[1][i], looks_->voxel[2][i]);
-  const glm::vec3 inVoxel(looks_->inVoxel[0][i], looks_->inVoxel[1][i], looks_->inVoxel[2][i]);
-  const FoundLanes& there = looks_->found;
-  if (there.component[i] >= 0) return take(meeting, lane, cells_[i], there.component[i], there.slot[i], fibres);
-  if (cells_[i] == found.cell && voxel == found.voxel) return chooseFound(meeting, lane, inVoxel, fibres);
-  VoxelContent content;
-  walker_.cells().bricksIn(cells_[i]).content(*cloth_.volume, voxel, content);
-  chooseAmong(meeting, lane, content, fibres, ExtinctionAt{inVoxel});
+  chooseComponents(walker_.field(), *choices_);
+  for (size_t lane = 0; lane < meetings.size(); ++lane) {
+    if (choices_->wanted[lane] == 0) continue;
+    met_[lane].component = choices_->component[lane];
+    met_[lane].slot = choices_->slot[lane];
+  }
 }
 
-/// In the voxel that the walk has found, at a place in widths of it (which only says whose boxes it is in). Where
-/// flights of before leave nothing of all that is there, it is one of them all the same.
-void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, glm::vec3 inVoxel, Fibres& fibres) {
+/// What the path knows counts in the voxel that the walk has found, as it did in the walk.
+void LoomlightMeetings::wantChoice(const Meeting& meeting, size_t lane, const ClothVolume::PlaceInVoxel& place) {
   const FoundFibres& found = *meeting.found;
-  if (found.component >= 0) return take(meeting, lane, found.cell, found.component, found.slot, fibres);
-  VoxelContent content;
-  walker_.cells().bricksIn(found.cell).content(*cloth_.volume, found.voxel, content);
-  if (!medium_.ingredients().boxes) return chooseAmong(meeting, lane, content, fibres, WholeExtinction());
-  const ExtinctionAt there{inVoxel};
-  if (!medium_.ingredients().hotSpot) return chooseAmong(meeting, lane, content, fibres, there);
-  const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), medium_.toClothOf(found.tet));
-  constexpr float kLeast = 1e-6f;
-  chooseAmong(meeting, lane, content, fibres,
-              [&](const VoxelFibres& component) { return there(component) * std::max(kLeast, share(component)); });
+  ChoiceLanes& choices = *choices_;
+  fill(choices, lane, place, meeting);
+  choices.u[lane] = meeting.random->uniform();
+  if (!medium_.ingredients().hotSpot) return;
+  const bool isFound = place.cell == found.cell && place.voxel == found.voxel;
+  const KnownFibres known = isFound ? meeting.memory->known : KnownFibres();
+  const glm::vec3 light = lightOf(meeting);
+  const FibreInCloth before(known.before, light, *cloth_.shell, found.tet);
+  putPastSegments(choices.known, lane, known, light);
+  putBefore(choices.known.before, lane, known.before, before);
+  put(choices.known.before.axis_mm, lane, found.inCell_mm + before.toAxis_mm);
+  choices.middle[lane] = found.toMiddle_mm;
 }
 
-template <class Share>
-void LoomlightMeetings::chooseAmong(const Meeting& meeting, size_t lane, const VoxelContent& content, Fibres& fibres,
-                                    const Share& share) {
-  const VoxelFibres met = chooseComponent(cloth_.yarns, content, meeting.found->drape, meeting.direction,
-                                          meeting.random->uniform(), medium_.ingredients().law, share);
-  fibres.put(lane, met.fibres, met.optics->fibreRadius_mm);
-  Collision& c = **meeting.met;
-  c.optics = *met.optics;
-  c.yarnId = met.yarnId();
-  c.yarn = met.span->yarn;
-  c.end = content.end;
-  c.pick = content.pick;
-}
-
-/// The one component of a voxel, in the brick at that slot of its cell.
-void LoomlightMeetings::take(const Meeting& meeting, size_t lane, glm::ivec3 cell, int component, int slot,
-                             Fibres& fibres) {
-  const ClothVolume::CellBricks::Brick& brick = walker_.cells().bricksIn(cell).bricks[static_cast<size_t>(slot)];
-  Collision& c = **meeting.met;
+/// Takes the component that a meeting is with.
+void LoomlightMeetings::take(const Meeting& meeting, size_t lane, Fibres& fibres) {
+  const Met& met = met_[lane];
+  const ClothVolume::CellBricks::Brick& brick =
+      walker_.cells().bricksIn(met.cell).bricks[static_cast<size_t>(met.slot)];
+  Collision& c = meeting.met->emplace();
   c.optics = cloth_.yarns[static_cast<size_t>(brick.system)][static_cast<size_t>(brick.yarn)];
   c.yarnId = {brick.system, brick.index};
   c.yarn = brick.yarn;
-  c.end = cell.x;
-  c.pick = cell.y;
-  fibres.put(lane, inWorld(cloth_.volume->components()[component].decode(), meeting.found->drape),
+  c.end = met.cell.x;
+  c.pick = met.cell.y;
+  fibres.put(lane, inWorld(cloth_.volume->components()[met.component].decode(), meeting.found->drape),
              c.optics.fibreRadius_mm);
+}
+
+/// What becomes of a meeting with a fibre of that tangent; `inwards`: to its axis, from the light.
+void LoomlightMeetings::tell(const Meeting& meeting, size_t lane, const Vectors& tangent, float offset,
+                             const Vectors& inwards) const {
+  const FoundFibres& found = *meeting.found;
+  const auto vectorOf = [lane](const Vectors& v) { return glm::vec3(v.x[lane], v.y[lane], v.z[lane]); };
+  Collision& c = **meeting.met;
+  c.place = {lightOf(meeting), found.tet};
+  c.distance_mm = found.t_mm;
+  c.incoming = meeting.direction;
+  c.tangent = vectorOf(tangent);
+  c.offset = offset;
+  c.normal = found.drape.normal();
+  c.axis = c.place.world + vectorOf(inwards);
+  c.radius_mm = c.optics.fibreRadius_mm;
+  c.material = drawMaterial(c.optics, *meeting.random);
+  LoomlightMedium::HowMet& how = meeting.memory->howMet;
+  how.amongAll = amongAll_[lane] != 0;
+  how.points[0] = vectorOf(points_[0]);
+  how.points[1] = vectorOf(points_[1]);
+  const glm::vec3 size = cloth_.volume->grid().size_mm, voxel(found.voxel);
+  how.lower_mm = (voxel + common_[lane].lower) * size - found.inCell_mm;
+  how.upper_mm = (voxel + common_[lane].upper) * size - found.inCell_mm;
+  how.ahead_mm = found.ahead_mm;
 }
 
 }  // namespace loomlight

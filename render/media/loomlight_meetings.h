@@ -45,21 +45,28 @@ class LoomlightMeetings {
   Vectors axisAfter(std::span<const Meeting> meetings, const Vectors& shift) const;
   Mask lookThere(std::span<const Meeting> meetings, size_t point, const Vectors& axis);
   void wantLook(const Meeting& meeting, size_t lane, glm::vec3 axis_mm);
-  void choose(const Meeting& meeting, size_t lane, Fibres& fibres);
-  void chooseFound(const Meeting& meeting, size_t lane, glm::vec3 inVoxel, Fibres& fibres);
-  template <class Share>
-  void chooseAmong(const Meeting& meeting, size_t lane, const VoxelContent& content, Fibres& fibres,
-                   const Share& share);
-  void take(const Meeting& meeting, size_t lane, glm::ivec3 cell, int component, int slot, Fibres& fibres);
+  ClothVolume::PlaceInVoxel placeOfAxis(const Meeting& meeting, size_t lane) const;
+  void chooseFibres(std::span<const Meeting> meetings);
+  void wantChoice(const Meeting& meeting, size_t lane, const ClothVolume::PlaceInVoxel& place);
+  void fill(VoxelPlaceLanes& lanes, size_t lane, const ClothVolume::PlaceInVoxel& place, const Meeting& meeting);
+  void take(const Meeting& meeting, size_t lane, Fibres& fibres);
+  void tell(const Meeting& meeting, size_t lane, const Vectors& tangent, float offset, const Vectors& inwards) const;
 
   const LoomlightMedium& medium_;
   const TraceData& cloth_;
   LaneWalker& walker_;
-  std::unique_ptr<LookLanes> looks_;            ///< of each meeting one from its first point, then one from its second
-  std::array<glm::ivec3, kWalkLanes> cells_{};  ///< in which they look
+  std::unique_ptr<LookLanes> looks_;  ///< of each meeting one from its first point, then one from its second
+  std::array<ClothVolume::PlaceInVoxel, kWalkLanes> lookPlaces_{};
+  std::unique_ptr<ChoiceLanes> choices_;  ///< one of each meeting
   // Of one call:
-  static constexpr int kAmongAll = -1;     ///< without a look: the axis is where all the components are that were found
-  static constexpr int kNone = -2;         ///< neither point led to any fibres: the axis is as far ahead as in the mean
+  static constexpr int kAmongAll = -1;  ///< without a look: the axis is where all the components are that were found
+  static constexpr int kNone = -2;      ///< neither point led to any fibres: the axis is as far ahead as in the mean
+  /// The component that a meeting is with, and the brick of a cell in which that is.
+  struct Met {
+    glm::ivec3 cell{0};
+    int component = 0, slot = 0;
+  };
+  std::array<Met, kMost> met_{};
   std::array<VoxelPart, kMost> common_{};  ///< where in the voxels that were found all their components are
   std::array<Vectors, 2> points_{};        ///< the two that axes were looked for by, the one that was taken first
   Lanes takenLook_{};                      ///< the look that found the axis, or kAmongAll, or kNone

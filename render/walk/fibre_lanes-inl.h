@@ -1,5 +1,5 @@
-// What rays meet of the fibres of a voxel, side by side: Component::decode(), inWorld(), extinction(), knownAbsent()
-// and FibreInVoxels in lanes. Compiled once for each instruction set, as lanes-inl.h is.
+// The fibres of a voxel, as several rays come to them side by side: decoded, as they lie in the world, and what a ray
+// meets of them. Compiled once for each instruction set, as lanes-inl.h is.
 #if defined(LOOMLIGHT_FIBRE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LOOMLIGHT_FIBRE_LANES_INL_H_
 #undef LOOMLIGHT_FIBRE_LANES_INL_H_
@@ -59,6 +59,13 @@ struct BoxLanes {
     const Real volume = (upper[0] - lower[0]) * (upper[1] - lower[1]) * (upper[2] - lower[2]);
     return Real(1.0f) / choose(boxed, volume, Real(1.0f));
   }
+  /// The same at a place in the voxel, in widths of it: 0 outside of the box.
+  HWY_INLINE Real crowdingAt(const Vector& place) const {
+    if (!any(boxed)) return Real(1.0f);
+    const Mask inside = (lower[0] <= place.x) & (place.x < upper[0]) & (lower[1] <= place.y) & (place.y < upper[1]) &
+                        (lower[2] <= place.z) & (place.z < upper[2]);
+    return orZero(inside | ~boxed, crowding());
+  }
 };
 
 /// As the cloth lies in the world; `frame` has its columns.
@@ -89,64 +96,6 @@ HWY_INLINE Real projectedLength(const SpreadPairs& table, Real sinSquare, Real s
   const Whole low = gather(table.pairs.data(), at), high = gather(table.pairs.data() + table.ratios, at);
   const Real a = between(low, fx), b = between(high, fx);
   return orZero(some, least(Real(1.0f), squareRoot(sum) * (a + fy * (b - a)) * Real(SpreadPairs::kUnit)));
-}
-
-/// A flight of before, seen from the middle of the voxel that the ray is in (RaySegment, knownAbsent()).
-struct PastSegmentLanes {
-  Vector direction;
-  Vector offset;  ///< from its end to that middle
-  Real along;     ///< of the offset, along the flight
-  Real apart;     ///< length of the offset across the flight
-  Real length;
-  Mask there;
-
-  HWY_INLINE PastSegmentLanes(const WalkLanes::PastSegment& past, size_t lane, const Vector& onRay) {
-    direction = vectorOf(past.direction, lane);
-    offset = vectorOf(past.offset_mm, lane) + onRay;
-    length = Real::of(&past.length_mm[lane]);
-    along = dot(offset, direction);
-    const Vector across = offset - direction * along;
-    apart = squareRoot(dot(across, across));
-    there = Real(0.0f) < length;
-  }
-
-  /// The share of such fibres that would have blocked the flight.
-  HWY_INLINE Real absent(const FibreLanes& fibres, Real radius) const {
-    const Real alongTangent = dot(direction, fibres.direction);
-    const Real lineSquare = Real(1.0f) - alongTangent * alongTangent;
-    const Real back = alongTangent * dot(offset, fibres.direction) - along;
-    const Mask beside = there & (Real(1e-6f) <= lineSquare) & (Real(0.0f) < back) & (back < length * lineSquare);
-    const Vector normal = cross(fibres.direction, direction);
-    const Real line = squareRoot(choose(beside, lineSquare, Real(1.0f)));
-    const Real distance = magnitude(dot(offset, normal)) / line + fibres.spread * apart;
-    return orZero(beside, most(Real(0.0f), Real(1.0f) - distance / (Real(2.0f) * radius)));
-  }
-};
-
-/// FibreInVoxels::lengthDensity() of the fibre that each ray came from, in the voxel with that lower corner.
-HWY_INLINE Real lengthDensityOf(const WalkLanes::Before& before, size_t lane, const Vector& lower, const Vector& size) {
-  const Vector axis = vectorOf(before.axis_mm, lane), tangent = vectorOf(before.tangent, lane);
-  const Real radius = Real::of(&before.radius_mm[lane]);
-  const Vector to = lower + size * Real(0.5f) - axis;
-  const Real along = dot(to, tangent), reach = Real(0.5f) * squareRoot(dot(size, size)) + radius;
-  const Mask near = dot(to, to) - along * along <= reach * reach;
-  const Real r = Real(0.5f) * radius;
-  // In the plane of a face nothing is divided by nothing: a fibre along an axis is tilted by less than a rounding.
-  const Real tiny(1e-18f);
-  const Vector inverse{Real(1.0f) / choose(magnitude(tangent.x) < tiny, tiny, tangent.x),
-                       Real(1.0f) / choose(magnitude(tangent.y) < tiny, tiny, tangent.y),
-                       Real(1.0f) / choose(magnitude(tangent.z) < tiny, tiny, tangent.z)};
-  Real length(0.0f);
-  for (int corner = 0; corner < 4; ++corner) {
-    const Real x = corner < 2 ? r : -r, y = corner % 2 == 0 ? r : -r, z = corner == 0 || corner == 3 ? r : -r;
-    const Vector from = lower - axis - Vector{x, y, z};
-    const Vector a{from.x * inverse.x, from.y * inverse.y, from.z * inverse.z};
-    const Vector b = a + Vector{size.x * inverse.x, size.y * inverse.y, size.z * inverse.z};
-    const Real enter = most(most(least(a.x, b.x), least(a.y, b.y)), least(a.z, b.z));
-    const Real leave = least(least(most(a.x, b.x), most(a.y, b.y)), most(a.z, b.z));
-    length = length + most(Real(0.0f), leave - enter);
-  }
-  return orZero(near, Real(0.25f) * length / (size.x * size.y * size.z));
 }
 
 }  // namespace loomlight::HWY_NAMESPACE

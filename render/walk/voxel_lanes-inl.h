@@ -1,5 +1,5 @@
 // The voxels that several rays are in, side by side: which bricks hold anything there, and their components one after
-// the other (VoxelContent, forEachComponent()). Compiled once for each instruction set, as lanes-inl.h is.
+// the other. Compiled once for each instruction set, as lanes-inl.h is.
 #if defined(LOOMLIGHT_VOXEL_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LOOMLIGHT_VOXEL_LANES_INL_H_
 #undef LOOMLIGHT_VOXEL_LANES_INL_H_
@@ -143,7 +143,8 @@ HWY_INLINE FibreLanes fibresOf(const WalkField& field, const Lanes& lanes, size_
   return inWorld(fibres, frame, Real::of(&lanes.densityScale[lane]));
 }
 
-/// What rays in direction d meet of such fibres, 1/mm: extinction() of one component.
+/// What rays in direction d meet of such fibres, 1/mm: sigma_i(d) = 2 r lambda_i I(angle(d, m_i), s_i) (Eqs. 6-9 of the
+/// report).
 HWY_INLINE Real extinctionOf(const WalkField& field, Mask holds, const FibreLanes& fibres, const Vector& direction,
                              Real radius) {
   const Real cosine = dot(direction, fibres.direction);

@@ -12,8 +12,8 @@
 #define HWY_TARGET_INCLUDE "render/walk/walk_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include "render/walk/known_lanes-inl.h"
 #include "render/walk/stretch_lanes-inl.h"
-#include "render/walk/voxel_lanes-inl.h"
 #include "render/walk/walk_lanes.h"
 #include "render/walk/walk_target.h"
 
@@ -126,20 +126,9 @@ class Step {
     to = choose(box.boxed, choose(passes, leave, enter_), to);
   }
 
-  /// What the flights before and the fibre that the last of them came from leave of such fibres.
-  HWY_INLINE Real shareLeft(Mask holds, const FibreLanes& fibres, const VoxelLanes::Taken& taken) {
+  HWY_INLINE Real shareLeft(Mask holds, const FibreLanes& fibres, const VoxelLanes::Taken& taken) const {
     const Vector onRay = vectorOf(lanes_.direction, lane_) * middle_;
-    Real absent(0.0f);
-    for (const WalkLanes::PastSegment& past : lanes_.pastSegments)
-      absent = most(absent, PastSegmentLanes(past, lane_, onRay).absent(fibres, taken.radius));
-    const Real left = Real(1.0f) - absent;
-    const Mask own = holds & (taken.yarn == Whole::of(&lanes_.before.yarn[lane_])) &
-                     (Real(0.0f) < Real::of(&lanes_.before.radius_mm[lane_])) & (Real(0.0f) < taken.packed);
-    if (!any(own)) return left;
-    const Vector lower{toReal(voxel_[0]) * size_.x, toReal(voxel_[1]) * size_.y, toReal(voxel_[2]) * size_.z};
-    const Real known = lengthDensityOf(lanes_.before, lane_, lower, size_);
-    const Real density = choose(own, fibres.lengthDensity, Real(1.0f));
-    return choose(own, left * (Real(1.0f) - least(Real(1.0f), known / density)), left);
+    return KnownInVoxels{lanes_.known, lane_, onRay, voxel_, size_}.shareLeft(holds, fibres, taken);
   }
 
   /// Where the light goes along these fibres, and whether it meets one of them.
@@ -219,35 +208,6 @@ void walkLanes(const WalkField& field, WalkLanes& lanes) {
   }
 }
 
-void lookLanes(const WalkField& field, LookLanes& lanes) {
-  for (size_t lane = 0; lane < kWalkLanes; lane += hn::Lanes(RealTag())) {
-    const Mask wanted = Whole::of(&lanes.wanted[lane]) == Whole(1);
-    if (!any(wanted)) continue;
-    const Whole voxel[3] = {Whole::of(&lanes.voxel[0][lane]), Whole::of(&lanes.voxel[1][lane]),
-                            Whole::of(&lanes.voxel[2][lane])};
-    Contents found;
-    const auto add = [&](Mask holds, Whole component, const VoxelLanes::Taken& taken) HWY_ATTR {
-      const FibreLanes fibres = fibresOf(field, lanes, lane, holds, component);
-      const Vector direction = vectorOf(lanes.direction, lane);
-      const BoxLanes box(holds, fibres.box);
-      Mask there = holds;
-      Real crowding(1.0f);
-      if (any(box.boxed)) {
-        for (int axis = 0; axis < 3; ++axis) {
-          const Real place = Real::of(&lanes.inVoxel[axis][lane]);
-          there = there & (box.lower[axis] <= place) & (place < box.upper[axis]);
-        }
-        crowding = box.crowding();
-      }
-      found.add(there, component, taken.slot, crowding * extinctionOf(field, there, fibres, direction, taken.radius));
-    };
-    VoxelLanes voxels(field, lanes.cell, lane);
-    voxels.open(voxel, wanted);
-    voxels.forEachComponent(add);
-    found.to(lanes.found, lane);
-  }
-}
-
 const char* targetName() {
   return hwy::TargetName(HWY_TARGET);
 }
@@ -259,15 +219,10 @@ HWY_AFTER_NAMESPACE();
 namespace loomlight {
 
 HWY_EXPORT(walkLanes);
-HWY_EXPORT(lookLanes);
 HWY_EXPORT(targetName);
 
 void walk(const WalkField& field, WalkLanes& lanes) {
   HWY_DYNAMIC_DISPATCH(walkLanes)(field, lanes);
-}
-
-void look(const WalkField& field, LookLanes& lanes) {
-  HWY_DYNAMIC_DISPATCH(lookLanes)(field, lanes);
 }
 
 const char* walkTarget() {

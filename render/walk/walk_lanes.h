@@ -37,11 +37,12 @@ struct WalkField {
   const SpreadPairs& spreads = SpreadPairs::table();
   float size_mm[3] = {1, 1, 1};  ///< of a voxel
   int32_t perCell[3] = {1, 1, 1};
-  float farthest_mm = 0;  ///< no axis is looked for farther ahead of the light
-  bool packing = true;    ///< light keeps to the gaps between fibres of packed yarns
-  bool hotSpot = true;    ///< fibres near the flights before are known to be absent
-  bool boxes = true;      ///< fibres are in the boxes of their voxels alone; else spread over the voxels
-  bool flat = true;       ///< cloth space is the world, but for a translation
+  float farthest_mm = 0;   ///< no axis is looked for farther ahead of the light
+  bool packing = true;     ///< light keeps to the gaps between fibres of packed yarns
+  bool hotSpot = true;     ///< fibres near the flights before are known to be absent
+  bool boxes = true;       ///< fibres are in the boxes of their voxels alone; else spread over the voxels
+  bool byDensity = false;  ///< which component is met hangs on density alone (EventLaw::report)
+  bool flat = true;        ///< cloth space is the world, but for a translation
 };
 
 /// Why a ray stopped.
@@ -75,6 +76,21 @@ struct FoundLanes {
   static constexpr int32_t kNone = -1, kSeveral = -2;
 };
 
+/// What the path of each ray knows of the fibres around it (KnownFibre, RaySegment).
+struct KnownLanes {
+  struct PastSegment {
+    LaneFloats offset_mm[3];  ///< from its end to the ray at t = 0, world
+    LaneFloats direction[3];
+    LaneFloats length_mm;  ///< 0: none
+  } pastSegments[2];
+  struct Before {
+    LaneFloats axis_mm[3];  ///< cloth space, from the corner of the cell
+    LaneFloats tangent[3];  ///< cloth space, unit
+    LaneFloats radius_mm;   ///< 0: none
+    LaneInts yarn;          ///< as CellLanes::Slot::yarn
+  } before;
+};
+
 /// Up to kWalkLanes rays, each in a segment of the cloth in which cloth space is an affine image of the world (a
 /// tetrahedron of the shell, or all of a flat piece), as columns of numbers. Distances t are in mm along the ray from
 /// where it begins. Positions in cloth space are counted from the lower corner of the ray's cell, so
@@ -100,19 +116,7 @@ struct alignas(64) WalkLanes {
   LaneFloats frame[3][3];   ///< [column][row] of d world / d cloth
   LaneFloats densityScale;  ///< 1 / its determinant
 
-  // What the path knows of the fibres there (KnownFibre, RaySegment):
-  struct PastSegment {
-    LaneFloats offset_mm[3];  ///< from its end to this ray at t = 0, world
-    LaneFloats direction[3];
-    LaneFloats length_mm;  ///< 0: none
-  } pastSegments[2];
-  struct Before {
-    LaneFloats axis_mm[3];  ///< cloth space, from the corner of the cell
-    LaneFloats tangent[3];  ///< cloth space, unit
-    LaneFloats radius_mm;   ///< 0: none
-    LaneInts yarn;          ///< as Slot::yarn
-  } before;
-
+  KnownLanes known;
   CellLanes cell;  ///< that it is in
 
   // Of a ray that has met a fibre:
@@ -127,19 +131,35 @@ struct alignas(64) WalkLanes {
 /// block for each brick in reach, and where it holds anything the component and four numbers of the table I(alpha, s).
 void walk(const WalkField& field, WalkLanes& lanes);
 
-/// Looks for fibres that some rays meet, each at one place of a voxel.
-struct alignas(64) LookLanes {
-  alignas(64) LaneInts wanted;  ///< 1 where a ray looks; else 0
-  LaneFloats direction[3];      ///< unit, of the world
+/// Places at which rays may meet fibres, each in a voxel.
+struct alignas(64) VoxelPlaceLanes {
+  alignas(64) LaneInts wanted;  ///< 1 where a ray has one; else 0
+  LaneFloats direction[3];      ///< of the ray, unit, of the world
   LaneInts voxel[3];            ///< counted from the corner of the cell
-  LaneFloats inVoxel[3];        ///< where it looks, in widths of the voxel from the corner of that
+  LaneFloats inVoxel[3];        ///< in widths of the voxel from the corner of that
   LaneFloats frame[3][3];       ///< as WalkLanes'
   LaneFloats densityScale;      ///< as WalkLanes'
   CellLanes cell;
+};
+
+/// Looks for fibres at places.
+struct LookLanes : VoxelPlaceLanes {
   FoundLanes found;  ///< what is there, all of it: whatever the ray knows of fibres
 };
 
 /// Fills in what was found. Cost: about one step of walk().
 void look(const WalkField& field, LookLanes& lanes);
+
+/// Chooses the component that each ray meets, among those at its place.
+struct ChoiceLanes : VoxelPlaceLanes {
+  LaneFloats u;              ///< in [0, 1)
+  KnownLanes known;          ///< with t = 0 where `middle` is counted from
+  LaneFloats middle;         ///< of the ray in the voxel
+  LaneInts component, slot;  ///< as FoundLanes'; kNone where the voxel is empty
+};
+
+/// In proportion to what counts of their extinction, with WalkField::hotSpot only as much as `known` leaves. Where that
+/// is nothing of all that are there, it is one of them all the same. Cost: about one step of walk().
+void chooseComponents(const WalkField& field, ChoiceLanes& lanes);
 
 }  // namespace loomlight

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/media/lane_walker.h"
-#include "render/media/voxel_extinction.h"
+#include "tests/support/voxel_extinction.h"
 #include "tests/support/voxel_march.h"
 
 namespace loomlight::test {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "render/media/shell_walk.h"
-#include "render/media/voxel_extinction.h"
+#include "tests/support/voxel_extinction.h"
 #include "tests/support/voxel_march.h"
 
 namespace loomlight::test {

@@ -127,7 +127,7 @@ struct HowMet {
 };
 
 // Where a voxel holds several components, those that the medium meets have the same means as those that
-// chooseComponent() draws anew in the same voxel. Rays run low over the weft, so the two laws differ.
+// chooseComponent() of the tests draws anew in the same voxel. Rays run low over the weft, so the two laws differ.
 TEST(Meetings, AreWithTheFibresOfTheirLaw) {
   constexpr int kFlights = 60000;
   Fabric fabric = test::whiteCotton();
@@ -150,9 +150,9 @@ TEST(Meetings, AreWithTheFibresOfTheirLaw) {
       if (!collision) continue;
       VoxelContent content;
       cloth.volume->contentAt(cloth.shell->toCloth(collision->place.tet, collision->place.world), content);
-      if (content.count == 0 || !hasSeveralComponents(content)) continue;  // or at its very edge
+      if (content.count == 0 || !test::hasSeveralComponents(content)) continue;  // or at its very edge
       met.add(collision->yarnId.system, collision->tangent, direction);
-      const VoxelFibres anew = chooseComponent(cloth.yarns, content, {}, direction, random.uniform(), law);
+      const test::VoxelFibres anew = test::chooseComponent(cloth.yarns, content, {}, direction, random.uniform(), law);
       const Vec3Of<float> mean = numbersOf(anew.fibres.direction);
       const auto tangent = law == EventLaw::report
                                ? anyTangent<float>(mean, anew.fibres.spread, numbers)

@@ -4,8 +4,10 @@
 #include <hwy/targets.h>
 
 #include <cmath>
+#include <map>
 #include <vector>
 
+#include "render/media/known_lanes.h"
 #include "render/media/loomlight_batch.h"
 #include "render/optics/fibre_frame.h"
 #include "tests/support/lone_walk.h"
@@ -15,6 +17,9 @@
 namespace loomlight {
 namespace {
 
+using test::ExtinctionAt;
+using test::hasSeveralComponents;
+using test::VoxelFibres;
 using test::WalkEnd;
 
 /// Keeps how each ray ends.
@@ -302,6 +307,77 @@ TEST_P(LaneWalks, LooksFindWhatIsAtAPlace) {
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+// Where there are several, each is chosen as often as it counts, flights of before and the fibre that was left
+// included.
+TEST_P(LaneWalks, ChoicesAreInProportionToWhatCounts) {
+  const auto scene = this->scene();
+  const TraceData& cloth = *scene->cloth;
+  const VoxelGrid grid{cloth.volume->grid().cell, cloth.volume->grid().size_mm, 0, 0};
+  FoundByPaths walked(*scene);
+  auto& [medium, all, walker, ends] = walked;
+  Random random(22);
+  size_t tried = 0, known = 0;
+  for (const FoundFibres& found : ends.found()) {
+    if (found.component != FoundLanes::kSeveral) continue;
+    const DepthRay& ray = all.rays[found.ray];
+    const glm::vec3 light = ray.from.world + found.t_mm * ray.direction;
+    const glm::vec3 inVoxel(random.uniform(), random.uniform(), random.uniform());
+    ChoiceLanes choices{};
+    for (size_t lane = 0; lane < kWalkLanes; ++lane) {
+      choices.wanted[lane] = 1;
+      put(choices.direction, lane, ray.direction);
+      put(choices.voxel, lane, found.voxel);
+      put(choices.inVoxel, lane, inVoxel);
+      for (int column = 0; column < 3; ++column) put(choices.frame[column], lane, found.drape.frame[column]);
+      choices.densityScale[lane] = found.drape.densityScale;
+      walker.cells().fill(found.cell, choices.cell, lane);
+      const FibreInCloth before(ray.known->before, light, *cloth.shell, found.tet);
+      putPastSegments(choices.known, lane, *ray.known, light);
+      putBefore(choices.known.before, lane, ray.known->before, before);
+      put(choices.known.before.axis_mm, lane, found.inCell_mm + before.toAxis_mm);
+      choices.middle[lane] = found.toMiddle_mm;
+    }
+    std::map<const Component*, int> chosen;
+    constexpr int kRounds = 8;
+    for (int round = 0; round < kRounds; ++round) {
+      for (size_t lane = 0; lane < kWalkLanes; ++lane)
+        choices.u[lane] = (static_cast<float>(round * kWalkLanes + lane) + 0.5f) / (kRounds * kWalkLanes);
+      chooseComponents(walker.field(), choices);
+      for (const int32_t component : choices.component) ++chosen[cloth.volume->components() + component];
+    }
+
+    VoxelContent content;
+    walker.cells().bricksIn(found.cell).content(*cloth.volume, found.voxel, content);
+    ShellSegment here;
+    here.origin = light;
+    here.clothOrigin = found.inCell_mm;
+    const test::CorrelationState state(*ray.known, here, grid, medium.toClothOf(found.tet));
+    const glm::vec3 middle = light + found.toMiddle_mm * ray.direction;
+    std::vector<std::pair<const Component*, float>> weights;
+    float sum = 0;
+    for (int span = 0; span < content.count; ++span)
+      for (const Component& component : content.spans[span].components) {
+        const auto& yarn = content.spans[span];
+        const YarnOptics& optics = cloth.yarns[static_cast<size_t>(yarn.system)][static_cast<size_t>(yarn.yarn)];
+        const VoxelFibres fibres{test::inWorld(component.decode(), found.drape), component.box(), &optics, &yarn};
+        const float left = state.share(fibres, middle, found.voxel);
+        known += left < 0.99f ? 1 : 0;
+        weights.emplace_back(&component, test::extinction(fibres.fibres, optics, ray.direction) *
+                                             ExtinctionAt{inVoxel}(fibres)*std::max(1e-6f, left));
+        sum += weights.back().second;
+      }
+    if (!(sum > 0)) continue;
+    ++tried;
+    // Numbers spaced evenly: each stretch of [0, 1) in which one component is chosen holds one more or less than its
+    // share, and the last of n components is chosen in 2^(n - 2) of them.
+    const double most = std::exp2(static_cast<double>(weights.size()) - 2) + 0.5;
+    for (const auto& [component, weight] : weights)
+      EXPECT_NEAR(chosen[component], kRounds * kWalkLanes * weight / sum, most) << weights.size();
+  }
+  EXPECT_GT(tried, 20u);
+  EXPECT_GT(known, 5u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cloths, LaneWalks,
