@@ -72,7 +72,7 @@ void fillHoles(const std::vector<float>& opacity, int width, int height, std::ve
 
 /// Premultiplied colours with less noise: pixels of one yarn exchange light within a crossing, so that the mean stays,
 /// and what lies beyond the tile's edges has no say.
-std::vector<glm::vec4> quietColours(const Film& film) {
+std::vector<glm::vec4> quietColours(const Film& film, int threads) {
   std::vector<glm::vec4> colours;
   film.toDisplayBuffer(colours);
   std::vector<Film::Hit> hits;
@@ -85,7 +85,7 @@ std::vector<glm::vec4> quietColours(const Film& film) {
   // The filter tells yarns apart by their numbers: here each has one of its own, of 31 bits, at every crossing.
   for (Film::Hit& hit : hits)
     if (hit.yarn >= 0) hit.yarn = static_cast<int>(hashCombine(hashCombine(hit.end, hit.pick), hit.yarn) >> 33);
-  denoise(colours, {hits, variances}, film.width(), film.height(), 0);
+  denoise(colours, {hits, variances}, film.width(), film.height(), threads);
   return colours;
 }
 
@@ -144,14 +144,14 @@ Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide
   return scene;
 }
 
-TileMaps tileMaps(const Film& film, const Fabric& scene) {
+TileMaps tileMaps(const Film& film, const Fabric& scene, int threads) {
   const Image image = film.toImage(false);
   const std::vector<float>& depth = image.find("depth.Z")->values;
   TileMaps maps;
   maps.width = film.width();
   maps.height = film.height();
   const size_t count = depth.size();
-  const std::vector<glm::vec4> colours = quietColours(film);
+  const std::vector<glm::vec4> colours = quietColours(film, threads);
   const auto distance = static_cast<float>(scene.camera.distance_mm);
   float lowest = 0;
   for (int y = 0; y < maps.height; ++y)
@@ -198,7 +198,7 @@ std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem
   naming.progress = nullptr;  // it takes a moment
   const auto names = yarnNames(fabric, naming);
   if (!names) return std::nullopt;
-  return writeTile(stem, tileMaps(picture->film, *tile), fabric, extent,
+  return writeTile(stem, tileMaps(picture->film, *tile, task.threads), fabric, extent,
                    picture->scene->cloth->volume->geometry().measure(), *names);
 }
 

@@ -55,7 +55,7 @@ struct TileMaps {
   std::vector<int> yarn;          ///< index into Fabric::yarns; -1 in holes
 };
 /// Of a film of tileScene().
-TileMaps tileMaps(const Film& film, const Fabric& scene);
+TileMaps tileMaps(const Film& film, const Fabric& scene, int threads);
 
 struct TileReport {
   std::string json;                ///< the sidecar: sizes, mass, thickness, ranges of the maps

@@ -90,7 +90,7 @@ class TileStudio {
   std::optional<TileMaps> maps(const Fabric& fabric, FibreAxes* axes, const Task& task) const {
     const auto scene = makeScene(std::make_shared<const Fabric>(fabric), task, built_.get());
     const auto film = scene ? tracedFilm(*scene, *medium_, task, axes) : std::nullopt;
-    return film ? std::optional(tileMaps(*film, fabric)) : std::nullopt;
+    return film ? std::optional(tileMaps(*film, fabric, task.threads)) : std::nullopt;
   }
 
   const Fabric& fabric_;

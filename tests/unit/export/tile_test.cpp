@@ -88,7 +88,7 @@ TEST(Tile, EveryThreadGoesOnInTheNextTile) {
 TEST(Tile, AWhiteClothHasAWhiteBaseColourAndItsHoles) {
   const Fabric fabric = openWeave();
   const Fabric scene = tileScene(fabric, tileExtent(fabric), 96);
-  const TileMaps maps = tileMaps(rendered(scene), scene);
+  const TileMaps maps = tileMaps(rendered(scene), scene, 1);
   double opacity = 0, reflected = 0;
   for (size_t i = 0; i < maps.opacity.size(); ++i) {
     opacity += maps.opacity[i];
@@ -124,7 +124,7 @@ TEST(Tile, ColoursHaveLittleNoise) {
   longer.render.samplesPerPixel = 256;
   longer.render.seed = 1;
   const Film many = rendered(longer);
-  const TileMaps maps = tileMaps(few, scene);
+  const TileMaps maps = tileMaps(few, scene, 1);
   double ours = 0, plain = 0, light = 0, sum = 0, plainSum = 0;
   for (int y = 0; y < maps.height; ++y)
     for (int x = 0; x < maps.width; ++x) {
@@ -148,7 +148,7 @@ TEST(Tile, ColoursHaveLittleNoise) {
 TEST(Tile, OppositeEdgesMeet) {
   const Fabric fabric = openWeave();
   const Fabric scene = tileScene(fabric, tileExtent(fabric), 192);
-  const TileMaps maps = tileMaps(rendered(scene), scene);
+  const TileMaps maps = tileMaps(rendered(scene), scene, 1);
   const auto step = [&](int x) {
     double sum = 0;
     for (int y = 0; y < maps.height; ++y) {
