@@ -57,7 +57,7 @@ void PathTranscript::gathers(const PathLight& light, std::span<const float> leng
 
 void PathTranscript::scatters(const FibreBcsdf::Sample& by, glm::vec3 direction, float weight) {
   fmt::format_to(std::back_inserter(text_), "  on by     {}, {:.9g} mm inside, towards {}, weight {:.9g}\n",
-                 modeText(by.order), by.length * last_.optics.fibreRadius_mm, vectorText(direction), weight);
+                 modeText(by.order), by.length_radii * last_.optics.fibreRadius_mm, vectorText(direction), weight);
 }
 
 void PathTranscript::ends(PathEnd why) {

@@ -50,8 +50,8 @@ class CloseUpBatch final : public MediumBatch {
     for (size_t k = 0; k < amongFibres.met.size(); ++k)
       if (const auto& fibre = amongFibres.met[k]) meets(amongFibres.pathRays[k].path, *fibre);
   }
-  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
-    batchOf(path).leave(path, met, wi, inside);
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float length_radii) override {
+    batchOf(path).leave(path, met, wi, length_radii);
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
     if (!anyAmongFibres_) return groups_[kInVolume].batch->transmit(rays, counts);

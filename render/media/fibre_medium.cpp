@@ -48,8 +48,8 @@ class FibreBatch final : public PathStates<OwnFibre> {
     for (size_t i = 0; i < pathRays.size(); ++i)
       met[i] = collide(paths_[pathRays[i].path], pathRays[i].direction, counts);
   }
-  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
-    paths_[path].place = {met.optics.packed ? fibreExit(medium_.cloth(), met, wi, inside) : met.place.world,
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float length_radii) override {
+    paths_[path].place = {met.optics.packed ? fibreExit(medium_.cloth(), met, wi, length_radii) : met.place.world,
                           met.place.tet};
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {

@@ -14,8 +14,8 @@ class LoomlightBatch final : public PathStates<LoomlightMedium::Memory> {
 
   void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                TraceCounts& counts) override;
-  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
-    paths_[path].place = {medium_.exit(met, wi, inside), met.place.tet};
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float length_radii) override {
+    paths_[path].place = {medium_.exit(met, wi, length_radii), met.place.tet};
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override { transmitBeyond(rays, {}, counts); }
   /// The same, were so much of each ray's way empty at its beginning. An empty `clear_mm` means that none is.

@@ -106,8 +106,8 @@ size_t LoomlightMedium::offsetsAcross(const Collision& met, const Memory& memory
   return count;
 }
 
-glm::vec3 LoomlightMedium::exit(const Collision& met, glm::vec3 wi, float inside) const {
-  return ingredients_.packing && met.optics.packed ? fibreExit(*cloth_, met, wi, inside) : met.place.world;
+glm::vec3 LoomlightMedium::exit(const Collision& met, glm::vec3 wi, float length_radii) const {
+  return ingredients_.packing && met.optics.packed ? fibreExit(*cloth_, met, wi, length_radii) : met.place.world;
 }
 
 }  // namespace loomlight

@@ -85,7 +85,7 @@ class LoomlightMedium final : public Medium {
                        Memory& memory) const;
   /// Keeps a meeting in mind.
   void remember(const Collision& met, Memory& memory) const;
-  glm::vec3 exit(const Collision& met, glm::vec3 wi, float inside) const;
+  glm::vec3 exit(const Collision& met, glm::vec3 wi, float length_radii) const;
   size_t offsetsAcross(const Collision& met, const Memory& memory, std::span<float> offsets, Random& random) const;
 
  private:

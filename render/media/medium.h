@@ -119,9 +119,9 @@ class MediumBatch {
   /// The first fibre along every ray, in `met`; nullopt where the ray leaves the scene. No path flies twice.
   virtual void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                        TraceCounts& counts) = 0;
-  /// Goes to where light sets out again that has travelled `inside` radii of the fibre just met within it, and comes
+  /// Goes to where light sets out again that has travelled `length_radii` of the fibre just met within it, and comes
   /// out in direction wi; 0 where it was reflected.
-  virtual void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) = 0;
+  virtual void leave(uint32_t path, const Collision& met, glm::vec3 wi, float length_radii) = 0;
   /// Sets `visible` of each: an unbiased estimate of the probability that it meets no fibre. No path has two.
   virtual void transmit(std::span<ShadowRay> rays, TraceCounts& counts) = 0;
   /// Where across the fibre just met the ray may as well have met it, as far as nobody could tell: values of
@@ -146,7 +146,7 @@ class MediumPath {
     batch_->collide({&pathRay, 1}, {&met, 1}, counts);
     return met;
   }
-  void leave(const Collision& met, glm::vec3 wi, float inside) { batch_->leave(0, met, wi, inside); }
+  void leave(const Collision& met, glm::vec3 wi, float length_radii) { batch_->leave(0, met, wi, length_radii); }
   float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) {
     ShadowRay ray{0, direction, distance, &random};
     batch_->transmit({&ray, 1}, counts);

@@ -41,8 +41,8 @@ class ReportMedium::Batch final : public MediumBatch {
       last = {last.events + 1, met[i]->yarn, met[i]->tangent, pathRays[i].direction};
     }
   }
-  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
-    volume_.leave(path, met, wi, inside);
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float length_radii) override {
+    volume_.leave(path, met, wi, length_radii);
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
     cast_.clear();

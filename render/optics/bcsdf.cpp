@@ -22,8 +22,8 @@ WholeOf<T> chooseMode(const std::array<T, FibreBcsdf::kLobes>& share, T u) {
 
 /// Of the residual: 3 + k with probability (1 - f) f^k.
 template <class T>
-WholeOf<T> drawOrder(T inside, T u) {
-  return 3 + truncated<T>(least(broadcast<T>(1e6), logarithm<T>(1 - u) / logarithm<T>(inside)));
+WholeOf<T> drawOrder(T internalReflectance, T u) {
+  return 3 + truncated<T>(least(broadcast<T>(1e6), logarithm<T>(1 - u) / logarithm<T>(internalReflectance)));
 }
 
 Vec3Of<float> numbersOf(glm::vec3 v) {
@@ -51,8 +51,8 @@ inline FibreBcsdf::SampleOf<T> FibreBcsdf::drawOf(const Vec3Of<T>& wo, T h, Rand
                i.cosine * (turn.sine * hit.azimuthOCosine + turn.cosine * hit.azimuthOSine)};
   sample.order = mode;
   const MaskOf<T> residual = mode == 3;
-  if (any(residual)) sample.order = residual ? drawOrder<T>(hit.inside, random.uniform(residual)) : mode;
-  sample.length = toFloats<T>(sample.order) * hit.chord;
+  if (any(residual)) sample.order = residual ? drawOrder<T>(hit.internalReflectance, random.uniform(residual)) : mode;
+  sample.length_radii = toFloats<T>(sample.order) * hit.chord_radii;
   if (withPdf) {
     const std::array<T, kLobes> along = along_.density<T>(o, i), about = about_.density<T>(hit, turn.cosine, turn.sine);
     std::array<T, kLobes> q;
@@ -74,15 +74,15 @@ inline void FibreBcsdf::evaluateAll(const Vec3Of<T>& wo, const Vec3Of<T>& wi, st
     const T sine = wi.z * hit.azimuthOCosine - wi.y * hit.azimuthOSine;
     const std::array<T, kLobes> about = about_.density<T>(hit, cosine, sine);
     for (size_t k = 0; k < kLobes; ++k) values[at].q[k] = hit.share[k] * along[k] * about[k];
-    values[at].chord = hit.chord;
-    values[at].inside = hit.inside;
+    values[at].chord_radii = hit.chord_radii;
+    values[at].internalReflectance = hit.internalReflectance;
   }
 }
 
 FibreBcsdf::Sample FibreBcsdf::draw(glm::vec3 wo, float h, Random& random, bool withPdf) const {
   RandomLanes<float> numbers(random);
   const SampleOf<float> s = drawOf<float>(numbersOf(wo), h, numbers, withPdf);
-  return {{s.wi.x, s.wi.y, s.wi.z}, s.order, s.length, s.pdf};
+  return {{s.wi.x, s.wi.y, s.wi.z}, s.order, s.length_radii, s.pdf};
 }
 
 FibreBcsdf::Value FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, float h) const {
@@ -103,7 +103,7 @@ void FibreBcsdf::evaluate(const Vec3Of<Lanes>& wo, const Vec3Of<Lanes>& wi, std:
 
 FibreBcsdf::Modes FibreBcsdf::modes(glm::vec3 wo, float h) const {
   const CylinderHit<float> hit(numbersOf(wo), h, index_);
-  return {hit.share, hit.chord, hit.inside};
+  return {hit.share, hit.chord_radii, hit.internalReflectance};
 }
 
 }  // namespace loomlight

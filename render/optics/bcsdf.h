@@ -33,20 +33,20 @@ class FibreBcsdf {
   struct SampleOf {
     Vec3Of<T> wi;
     WholeOf<T> order{};  ///< p of the chosen mode, 0, 1, 2, 3, 4, ... the residual has p >= 3
-    T length{};          ///< travelled inside the fibre, in radii
+    T length_radii{};    ///< travelled inside the fibre, in radii
     T pdf{};             ///< of wi, all modes together; equals the sum of Q, so the weight of a sample is 1
   };
   struct Sample {
     glm::vec3 wi;
     int order = 0;
-    float length = 0;
+    float length_radii = 0;
     float pdf = 0;
   };
   template <class T>
   struct ValueOf {
     std::array<T, kLobes> q{};  ///< Q of each mode, [3] all p >= 3 together; absorption-free
-    T chord{};                  ///< length per internal traverse, in radii: mode p travels p * chord
-    T inside{};                 ///< internal reflectance f: of the residual, the share with order p is (1-f) f^(p-3)
+    T chord_radii{};            ///< length per internal traverse, in radii: mode p travels p of them
+    T internalReflectance{};    ///< f: of the residual, the share with order p is (1-f) f^(p-3)
     T sum() const { return q[0] + q[1] + q[2] + q[3]; }
   };
   using Value = ValueOf<float>;
@@ -54,8 +54,8 @@ class FibreBcsdf {
   /// How the light divides among the modes, and how far a traverse is: what a smooth fibre of this index does.
   struct Modes {
     std::array<float, kLobes> share{};  ///< sums to one
-    float chord = 0;                    ///< as in Value
-    float inside = 0;                   ///< as in Value
+    float chord_radii = 0;              ///< as in Value
+    float internalReflectance = 0;      ///< as in Value
   };
 
   /// Uses the index, the roughnesses, the scale tilt and the section; takes them as valid.

@@ -16,8 +16,8 @@ struct CylinderHit {
   T sineO, cosineO;                ///< inclination of wo to the plane across the fibre
   T azimuthOCosine, azimuthOSine;  ///< wo in that plane, unit
   std::array<T, 4> share;          ///< probability of R, TT, TRT, residual; sums to one
-  T inside;                        ///< internal reflectance f
-  T chord;                         ///< length of one internal traverse, in radii
+  T internalReflectance;           ///< f
+  T chord_radii;                   ///< length of one internal traverse, in radii
   /// Unit complex numbers e^(-i Phi_p), Phi_p = 2 p gamma_t - 2 gamma_o + p pi: the turn in azimuth of each mode.
   std::array<T, 4> turnCosine, turnSine;
 
@@ -50,11 +50,11 @@ inline CylinderHit<T>::CylinderHit(const Vec3Of<T>& wo, T h, float index) {
   azimuthOSine = hasAzimuth ? wo.z * stretch : T{};
   const T inverse = 1 / k;
   const T cosGammaT = e * inverse, sinGammaT = h * cosineO * inverse;
-  chord = 2 * cosGammaT * index * inverse;
+  chord_radii = 2 * cosGammaT * index * inverse;
 
   const T f = fresnel<T>(cosineO * cosGammaO, e, index);
   const T entering = (1 - f) * (1 - f);
-  inside = f;
+  internalReflectance = f;
   share = {f, entering, entering * f, (1 - f) * f * f};
 
   // First e^(2 i gamma_o), then per traverse once more -e^(-2 i gamma_t).

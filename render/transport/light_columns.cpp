@@ -23,7 +23,7 @@ bool LightColumns::add(const PathLight& light, std::span<const float> lengths_mm
   if (isSent()) {
     for (size_t p = 0; p < light.modes.size(); ++p) at(i, kModes + p) = light.modes[p];
     at(i, kTraverse_mm) = light.traverse_mm;
-    at(i, kInside) = light.inside;
+    at(i, kInternalReflectance) = light.internalReflectance;
   }
   if (kind_.isWithin)
     for (size_t k = 0; k < lengths_mm.size(); ++k) at(i, this->lengths_mm() + k) = lengths_mm[k];

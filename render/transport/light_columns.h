@@ -41,10 +41,11 @@ class LightColumns {
   const Column* block(size_t light) const { return &columns_[light / kWalkLanes * perBlock_]; }
   // Which of these is what, if the kind has it: three primaries, ...
   static constexpr size_t kRadiance = 0;
-  // ... if fibres sent the lights, their PathLight::modes, traverse_mm and inside, ...
-  static constexpr size_t kModes = 3, kTraverse_mm = kModes + FibreBcsdf::kLobes, kInside = kTraverse_mm + 1;
+  // ... if fibres sent the lights, their PathLight::modes, traverse_mm and internalReflectance, ...
+  static constexpr size_t kModes = 3, kTraverse_mm = kModes + FibreBcsdf::kLobes,
+                          kInternalReflectance = kTraverse_mm + 1;
   // ... and if they have been within fibres, the lengths there, of each material.
-  size_t lengths_mm() const { return isSent() ? kInside + 1 : kModes; }
+  size_t lengths_mm() const { return isSent() ? kInternalReflectance + 1 : kModes; }
 
   /// A light of this kind. False where there is no room.
   bool add(const PathLight& light, std::span<const float> lengths_mm, uint32_t sample, RecordBudget& budget);

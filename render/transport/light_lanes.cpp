@@ -37,7 +37,7 @@ class Lanes {
       sender_ = lights.kind().material;
       for (size_t p = 0; p < modes_.size(); ++p) modes_[p] = column(LightColumns::kModes + p);
       traverse_mm_ = column(LightColumns::kTraverse_mm);
-      inside_ = column(LightColumns::kInside);
+      internalReflectance_ = column(LightColumns::kInternalReflectance);
     }
   }
 
@@ -47,7 +47,7 @@ class Lanes {
   HWY_INLINE int sender() const { return sender_; }
   HWY_INLINE Real mode(size_t p) const { return modes_[p]; }
   HWY_INLINE Real traverse_mm() const { return traverse_mm_; }
-  HWY_INLINE Real inside() const { return inside_; }
+  HWY_INLINE Real internalReflectance() const { return internalReflectance_; }
   HWY_INLINE Real radiance(size_t c) const { return column(LightColumns::kRadiance + c) * of(lamps_, c); }
   HWY_INLINE static bool isWithin() { return kIsWithin; }
   HWY_INLINE static bool isWithin(size_t) { return true; }
@@ -66,7 +66,7 @@ class Lanes {
   Rgb lamps_;
   int sender_ = kNoFibre;
   std::array<Real, FibreBcsdf::kLobes> modes_;  // only where a fibre sent the lights, and so are the next two
-  Real traverse_mm_, inside_;
+  Real traverse_mm_, internalReflectance_;
 };
 
 template <bool kIsSent, bool kIsWithin>

@@ -47,7 +47,7 @@ T misWeight(T own, T other) {
 
 /// How likely a collision looks for a lamp; see PathIntegrator::lightSamplingProbability().
 template <class T>
-T chanceToLook(T value) {
+T lightSamplingChance(T value) {
   constexpr float kCertain = 0.2f, kLeast = 0.05f;
   return most(broadcast<T>(kLeast), least(value / kCertain, broadcast<T>(1)));
 }
@@ -67,10 +67,10 @@ void forEachEight(std::span<const Item> items, Material&& material, Visit&& visi
 }  // namespace
 
 /// Side by side: the values at each offset, and the sums over them.
-struct PathIntegrator::Looked {
+struct PathIntegrator::LightResponses {
   using Lanes = EventLanes::Lanes;
   std::array<FibreBcsdf::ValueOf<Lanes>, kOffsets> values;
-  std::array<Lanes, kOffsets> weighted;  ///< by the balance heuristic; 0 beyond a look's offsets
+  std::array<Lanes, kOffsets> weighted;  ///< by the balance heuristic; 0 beyond a query's offsets
   Lanes sum{};                           ///< of `weighted`
   Lanes chance{};                        ///< that a lamp is looked for
 };
@@ -94,12 +94,12 @@ void PathIntegrator::stratify(uint32_t path, uint32_t events, uint32_t use) {
   randomOf(path).stratify(dimension, events < kStratifiedEvents ? kDimensionsPerUse : 0);
 }
 
-/// How likely a collision looks for a lamp: each look costs a walk out of the cloth. The more of the lamp's light the
-/// fibre would send on, the likelier, so that no look brings much more than another: narrow modes, met rarely, are what
+/// How likely a collision looks for a lamp: that costs a walk out of the cloth. The more of the lamp's light the fibre
+/// would send on, the likelier, so that no lamp found brings much more than another: narrow modes, met rarely, are what
 /// makes pictures noisy. `value` is the sum of Q, 1/sr; the least chance keeps all possible. Certain at the first
 /// event: it is what the eye sees.
 float PathIntegrator::lightSamplingProbability(float value, uint32_t events) const {
-  return !sampling_.lampsByChance || events == 1 ? 1.0f : chanceToLook(value);
+  return !sampling_.lampsByChance || events == 1 ? 1.0f : lightSamplingChance(value);
 }
 
 /// The fibre's radius, times how deeply its thread is dyed.
@@ -152,67 +152,69 @@ void PathIntegrator::gatherEscaped(uint32_t path, float visible) {
 /// places: so the light is the mean over several of them (MediumBatch::offsetsAcross), and one of them, chosen in
 /// proportion, says how the light goes on, through the fibre and out of it. Each place counts with the weight that it
 /// would have alone, since a path that finds the lamp by itself leaves from one place.
-PathIntegrator::Looked PathIntegrator::evaluate(std::span<const Look> looks) const {
+PathIntegrator::LightResponses PathIntegrator::evaluate(std::span<const LightQuery> queries) const {
   using Lanes = EventLanes::Lanes;
-  const size_t count = looks.size();
-  const EventLanes event(count, [&](size_t i) -> const Collision& { return *states_[looks[i].path].at; });
-  const Vec3Of<Lanes> wi = columnsOf<Lanes>(count, [&](size_t i) { return looks[i].light.wi; });
+  const size_t count = queries.size();
+  const EventLanes event(count, [&](size_t i) -> const Collision& { return *states_[queries[i].path].at; });
+  const Vec3Of<Lanes> wi = columnsOf<Lanes>(count, [&](size_t i) { return queries[i].light.wi; });
   std::array<Lanes, kOffsets> offsets, isOne;
   for (size_t k = 0; k < kOffsets; ++k) {
-    offsets[k] = columnOf<Lanes>(count, [&](size_t i) { return looks[i].offsets[k]; });
-    isOne[k] = columnOf<Lanes>(count, [&](size_t i) { return k < looks[i].count ? 1.0f : 0.0f; });
+    offsets[k] = columnOf<Lanes>(count, [&](size_t i) { return queries[i].offsets[k]; });
+    isOne[k] = columnOf<Lanes>(count, [&](size_t i) { return k < queries[i].count ? 1.0f : 0.0f; });
   }
-  Looked looked;
-  const auto material = static_cast<size_t>(materialOf(looks[0].path));
-  scene_.cloth->materials[material].bcsdf->evaluate(event.wo, event.frame.toLocal(wi), offsets, looked.values);
+  LightResponses responses;
+  const auto material = static_cast<size_t>(materialOf(queries[0].path));
+  scene_.cloth->materials[material].bcsdf->evaluate(event.wo, event.frame.toLocal(wi), offsets, responses.values);
 
-  const Lanes lightPdf = columnOf<Lanes>(count, [&](size_t i) { return looks[i].light.pdf; });
-  const Lanes isDelta = columnOf<Lanes>(count, [&](size_t i) { return looks[i].light.isDelta() ? 1.0f : 0.0f; });
+  const Lanes lightPdf = columnOf<Lanes>(count, [&](size_t i) { return queries[i].light.pdf; });
+  const Lanes isDelta = columnOf<Lanes>(count, [&](size_t i) { return queries[i].light.isDelta() ? 1.0f : 0.0f; });
   const Lanes isCertain = columnOf<Lanes>(
-      count, [&](size_t i) { return !sampling_.lampsByChance || states_[looks[i].path].events == 1 ? 1.0f : 0.0f; });
-  const auto chanceOf = [&](Lanes value) { return isCertain > 0 ? isCertain : chanceToLook(value); };
+      count, [&](size_t i) { return !sampling_.lampsByChance || states_[queries[i].path].events == 1 ? 1.0f : 0.0f; });
+  const auto chanceOf = [&](Lanes value) { return isCertain > 0 ? isCertain : lightSamplingChance(value); };
   Lanes pdfs{}, number{};
   for (size_t k = 0; k < kOffsets; ++k) {
-    const Lanes pdf = isOne[k] > 0 ? looked.values[k].sum() : Lanes{};
+    const Lanes pdf = isOne[k] > 0 ? responses.values[k].sum() : Lanes{};
     const Lanes byBoth = pdf * misWeight<Lanes>(chanceOf(pdf) * lightPdf, pdf);
-    looked.weighted[k] = ((pdf > 0) & (isDelta == 0)) ? byBoth : pdf;
+    responses.weighted[k] = ((pdf > 0) & (isDelta == 0)) ? byBoth : pdf;
     pdfs += pdf;
-    looked.sum += looked.weighted[k];
+    responses.sum += responses.weighted[k];
     number += isOne[k];
   }
-  looked.chance = chanceOf(pdfs / number);
-  return looked;
+  responses.chance = chanceOf(pdfs / number);
+  return responses;
 }
 
-/// Of one look: where chance does not leave it, and light may come of it, the shadow ray and what it brings where
+/// Of one query: where chance does not leave it, and light may come of it, the shadow ray and what it brings where
 /// nothing is in the way.
-void PathIntegrator::chooseOffset(const Look& look, const Looked& looked, size_t lane, Random& random) {
-  const Collision& at = *states_[look.path].at;
-  const float chance = looked.chance[lane], sum = looked.sum[lane];
+void PathIntegrator::chooseOffset(const LightQuery& query, const LightResponses& responses, size_t lane,
+                                  Random& random) {
+  const Collision& at = *states_[query.path].at;
+  const float chance = responses.chance[lane], sum = responses.sum[lane];
   if (!(sum > 0) || random.uniform() >= chance) return;
   size_t chosen = 0;
-  if (look.count > 1)
-    for (float rest = random.uniform() * sum; chosen + 1 < look.count && (rest -= looked.weighted[chosen][lane]) >= 0;)
+  if (query.count > 1)
+    for (float rest = random.uniform() * sum;
+         chosen + 1 < query.count && (rest -= responses.weighted[chosen][lane]) >= 0;)
       ++chosen;
   FibreBcsdf::Value value;
-  for (size_t mode = 0; mode < value.q.size(); ++mode) value.q[mode] = looked.values[chosen].q[mode][lane];
+  for (size_t mode = 0; mode < value.q.size(); ++mode) value.q[mode] = responses.values[chosen].q[mode][lane];
   if (!(value.sum() > 0)) return;  // rounding chose it
-  const Rgb radiance = scene_.lighting->radiance(look.light);
+  const Rgb radiance = scene_.lighting->radiance(query.light);
   if (radiance == Rgb(0)) return;
-  const float chord = looked.values[chosen].chord[lane];
-  const float inside = static_cast<float>(likelyOrder(value, random)) * chord;
+  const float chord = responses.values[chosen].chord_radii[lane];
+  const float length_radii = static_cast<float>(likelyOrder(value, random)) * chord;
   if (chosen == 0) {
-    medium_->leave(look.path, at, look.light.wi, inside);
+    medium_->leave(query.path, at, query.light.wi, length_radii);
   } else {
     Collision across = at;
-    across.offset = look.offsets[chosen];
+    across.offset = query.offsets[chosen];
     across.axis = axisOf(across);
-    medium_->leave(look.path, across, look.light.wi, inside);
+    medium_->leave(query.path, across, query.light.wi, length_radii);
   }
-  shadowRays_.push_back({look.path, look.light.wi, look.light.distance, &random});
-  lampsFound_.push_back(
-      {radiance, sum / static_cast<float>(look.count), chance * look.light.pdf * value.sum(),
-       PathLight{Rgb(0), value.q, at.material, chord * depth_mm(look.path), looked.values[chosen].inside[lane]}});
+  shadowRays_.push_back({query.path, query.light.wi, query.light.distance, &random});
+  pendingLights_.push_back({radiance, sum / static_cast<float>(query.count), chance * query.light.pdf * value.sum(),
+                            PathLight{Rgb(0), value.q, at.material, chord * depth_mm(query.path),
+                                      responses.values[chosen].internalReflectance[lane]}});
 }
 
 /// All active paths fly to their next fibre; those that leave the scene, or have been heard enough of, end.
@@ -244,30 +246,30 @@ void PathIntegrator::fly(TraceCounts& counts) {
 }
 
 void PathIntegrator::sampleLights(TraceCounts& counts) {
-  looks_.clear();
+  lightQueries_.clear();
   for (const uint32_t path : active_) {
     stratify(path, states_[path].events - 1, 1);
     Random& random = randomOf(path);
     const Collision& at = *states_[path].at;
     const auto light = scene_.lighting->sample(at.place.world, random);
     if (!light || light->pdf <= 0) continue;
-    Look& look = looks_.emplace_back(Look{path, *light, {}, 0});
-    look.count = static_cast<uint32_t>(medium_->offsetsAcross(path, at, look.offsets, random));
+    LightQuery& query = lightQueries_.emplace_back(LightQuery{path, *light, {}, 0});
+    query.count = static_cast<uint32_t>(medium_->offsetsAcross(path, at, query.offsets, random));
   }
   shadowRays_.clear();
-  lampsFound_.clear();
+  pendingLights_.clear();
   forEachEight(
-      std::span<const Look>(looks_), [&](const Look& look) { return materialOf(look.path); },
-      [&](std::span<const Look> eight) {
-        const Looked looked = evaluate(eight);
+      std::span<const LightQuery>(lightQueries_), [&](const LightQuery& query) { return materialOf(query.path); },
+      [&](std::span<const LightQuery> eight) {
+        const LightResponses responses = evaluate(eight);
         for (size_t lane = 0; lane < eight.size(); ++lane)
-          chooseOffset(eight[lane], looked, lane, randomOf(eight[lane].path));
+          chooseOffset(eight[lane], responses, lane, randomOf(eight[lane].path));
       });
   medium_->transmit(shadowRays_, counts);
   for (size_t i = 0; i < shadowRays_.size(); ++i) {
     const ShadowRay& seen = shadowRays_[i];
     if (seen.visible == 0) continue;
-    const Lamp& found = lampsFound_[i];
+    const PendingLight& found = pendingLights_[i];
     PathLight light = found.light;
     light.radiance = found.radiance * (seen.visible * found.mean / found.divisor);
     gather(seen.path, light);
@@ -311,7 +313,7 @@ size_t PathIntegrator::scatterEight(std::span<uint32_t> eight) {
   for (size_t i = 0; i < eight.size(); ++i) {
     const uint32_t path = eight[i];
     State& state = states_[path];
-    lengths_mm(path)[material] += scattered.length[i] * depth_mm(path);
+    lengths_mm(path)[material] += scattered.length_radii[i] * depth_mm(path);
     if (sampling_.roulette && state.events > kRouletteAfter && !survives(path, *randoms[i])) {
       end(path, PathEnd::roulette);
       continue;
@@ -320,10 +322,10 @@ size_t PathIntegrator::scatterEight(std::span<uint32_t> eight) {
     state.direction = {directions.x[i], directions.y[i], directions.z[i]};
     sinkOf(path).scatters({{scattered.wi.x[i], scattered.wi.y[i], scattered.wi.z[i]},
                            scattered.order[i],
-                           scattered.length[i],
+                           scattered.length_radii[i],
                            scattered.pdf[i]},
                           state.direction, state.weight);
-    medium_->leave(path, *state.at, state.direction, scattered.length[i]);
+    medium_->leave(path, *state.at, state.direction, scattered.length_radii[i]);
     eight[kept++] = path;
   }
   return kept;

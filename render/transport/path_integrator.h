@@ -58,17 +58,17 @@ class PathIntegrator {
     bool addedAlready = false;  ///< what this flight may bring straight from a lamp to the first fibre
   };
   static constexpr size_t kOffsets = 4;  // places across a fibre from which a lamp is looked for at once
-  /// A look for a lamp from where a path has met a fibre.
-  struct Look {
+  /// A lamp that is looked for from where a path has met a fibre.
+  struct LightQuery {
     uint32_t path = 0;
     LightSample light;
     std::array<float, kOffsets> offsets{};  ///< across the fibre, where the path may as well have met it
     uint32_t count = 0;                     ///< of them
   };
-  /// What eight looks come to.
-  struct Looked;
+  /// What fibres send on of the light of eight.
+  struct LightResponses;
   /// A lamp's light on its way to a path, unless it is in shadow.
-  struct Lamp {
+  struct PendingLight {
     Rgb radiance{0};
     float mean = 0, divisor = 1;  ///< radiance counts with their quotient
     PathLight light;              ///< all but its radiance
@@ -88,8 +88,8 @@ class PathIntegrator {
   void sortByMaterial();
   int materialOf(uint32_t path) const { return states_[path].at->material; }
   float depth_mm(uint32_t path) const;
-  Looked evaluate(std::span<const Look> looks) const;
-  void chooseOffset(const Look& look, const Looked& looked, size_t lane, Random& random);
+  LightResponses evaluate(std::span<const LightQuery> queries) const;
+  void chooseOffset(const LightQuery& query, const LightResponses& responses, size_t lane, Random& random);
   bool survives(uint32_t path, Random& random);
   void gather(uint32_t path, PathLight light);
   void gatherEscaped(uint32_t path, float visible);
@@ -105,11 +105,11 @@ class PathIntegrator {
   std::vector<uint32_t> free_;     ///< the other places
   // Of one stage:
   std::vector<uint32_t> sorted_;
-  std::vector<Look> looks_;
+  std::vector<LightQuery> lightQueries_;
   std::vector<PathRay> pathRays_;
   std::vector<std::optional<Collision>> met_;
   std::vector<ShadowRay> shadowRays_;
-  std::vector<Lamp> lampsFound_;
+  std::vector<PendingLight> pendingLights_;
 };
 
 }  // namespace loomlight

@@ -13,7 +13,7 @@
 //   radiance(c)          primaries from c on, with the mode R of light that the path has found by itself
 //   isWithin()           whether the path has gone inside of fibres; isWithin(k) of material k, length_mm(k)
 //   sender()             the material of the fibre that sent the light onto the path, or kNoFibre; if there is one,
-//   mode(p), traverse_mm(), inside()     are those of PathLight
+//   mode(p), traverse_mm(), internalReflectance()     are those of PathLight
 //   apart(primaries)     each primary by itself
 //   sum(partial)         of the partial sums over every fourth band
 //
@@ -27,7 +27,8 @@ static_assert(kBands % kPartialSums == 0);
 /// What all modes of a fibre send on together, of which this much is left after one traverse.
 template <class Lights>
 [[gnu::always_inline]] inline typename Lights::Bands sentOn(const Lights& lights, typename Lights::Bands traverse) {
-  const auto residual = traverse * traverse * traverse * (1.0f - lights.inside()) / (1.0f - lights.inside() * traverse);
+  const auto residual = traverse * traverse * traverse * (1.0f - lights.internalReflectance()) /
+                        (1.0f - lights.internalReflectance() * traverse);
   return lights.mode(0) + traverse * (lights.mode(1) + traverse * lights.mode(2)) + residual * lights.mode(3);
 }
 

@@ -37,7 +37,7 @@ class OneLight {
   int sender() const { return light_.traverse_mm > 0 ? light_.material : kNoFibre; }
   float mode(size_t p) const { return light_.modes[p]; }
   float traverse_mm() const { return light_.traverse_mm; }
-  float inside() const { return light_.inside; }
+  float internalReflectance() const { return light_.internalReflectance; }
   Float32x4 radiance(size_t c) const {
     const Float32x4 all = of(light_.radiance, c);
     return sender() == kNoFibre ? all * mode(0) : all;

@@ -15,9 +15,9 @@ namespace loomlight {
 struct PathLight {
   Rgb radiance{0};  ///< with all weights of the path
   std::array<float, FibreBcsdf::kLobes> modes{1, 0, 0, 0};
-  int material = 0;       ///< of that fibre
-  float traverse_mm = 0;  ///< length of one traverse of it: mode p makes p of them; 0: there is no such fibre
-  float inside = 0;       ///< FibreBcsdf::Value::inside: the residual makes 3, 4, ... in a geometric series
+  int material = 0;               ///< of that fibre
+  float traverse_mm = 0;          ///< length of one traverse of it: mode p makes p of them; 0: there is no such fibre
+  float internalReflectance = 0;  ///< as FibreBcsdf::Value: the residual makes 3, 4, ... in a geometric series
 };
 
 /// exp(-sum sigma_k L_k): what is left of light after these lengths inside the fibres of each material.

@@ -50,7 +50,7 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
     const FibreFrame frame(hit->tangent);
     const auto scattered = scene->cloth->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
     const glm::vec3 on = frame.toWorld(scattered.wi);
-    path.leave(*hit, on, scattered.length);
+    path.leave(*hit, on, scattered.length_radii);
     through.begin(path.place());
     gain.add(path.transmittance(on, kFar, random, counts) - through.transmittance(on, kFar, random, counts));
   });

@@ -125,8 +125,8 @@ TEST_F(FewFibres, OneShowsTheIntegralOfItsBcsdfInParallelLight) {
       const auto h = static_cast<float>(2 * (i + 0.5) / kOffsets - 1);
       const auto value = material.bcsdf->evaluate(frame.toLocal({0, 0, 1}), frame.toLocal(light->wi), h);
       for (int c = 0; c < 3; ++c) {
-        const double t = std::exp(-lit->colouring.primaries_per_mm[0][c] * value.chord * fibre.radius),
-                     inside = value.inside;
+        const double t = std::exp(-lit->colouring.primaries_per_mm[0][c] * value.chord_radii * fibre.radius),
+                     inside = value.internalReflectance;
         // Mode p passes p times; of the residual each further pass keeps the share that stays inside.
         double through = value.q[0] + value.q[1] * t + value.q[2] * t * t, share = 1 - inside, passed = t * t * t;
         for (int p = 3; p < 60; ++p, share *= inside, passed *= t) through += value.q[3] * share * passed;

@@ -64,7 +64,7 @@ Outcome compare(const Scene& scene, const M& medium, int paths) {
       ++outcome.collisions;
       const auto scattered = bcsdf.sample(wo, met->offset, random);
       direction = frame.toWorld(scattered.wi);
-      path.leave(*met, direction, scattered.length);
+      path.leave(*met, direction, scattered.length_radii);
     }
   }
   return outcome;

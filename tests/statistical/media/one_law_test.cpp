@@ -143,7 +143,7 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
       const FibreFrame frame(met->tangent);
       const auto scattered = bcsdf.sample(frame.toLocal(-direction), met->offset, random);
       direction = frame.toWorld(scattered.wi);
-      way->leave(0, *met, direction, scattered.length);
+      way->leave(0, *met, direction, scattered.length_radii);
     }
   }
   const int runs = (LawComparison::kStrata + 1) * static_cast<int>(cases().size());

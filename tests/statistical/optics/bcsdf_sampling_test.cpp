@@ -65,7 +65,8 @@ TEST(FibreBcsdf, OrdersFollowTheSharesAndTheResidualIsGeometric) {
     constexpr int kSamples = 100000, kOrders = 40;
     std::vector<double> expected(modes.share.begin(), modes.share.begin() + 3), counts(kOrders + 1);
     double residual = modes.share[3];
-    for (; expected.size() < kOrders; residual *= modes.inside) expected.push_back(residual * (1 - modes.inside));
+    for (; expected.size() < kOrders; residual *= modes.internalReflectance)
+      expected.push_back(residual * (1 - modes.internalReflectance));
     expected.push_back(residual);
     for (double& e : expected) e *= kSamples;
     Random random(11);

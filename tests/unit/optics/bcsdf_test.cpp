@@ -94,8 +94,8 @@ TEST(FibreBcsdf, ValuesOfManyRaysAtManyOffsetsAreToTheBitThoseOfEachAlone) {
           const auto alone = bcsdf.evaluate(rays.wo[lane], rays.wi[lane], at == 0 ? rays.h[lane] : -rays.h[lane]);
           for (size_t mode = 0; mode < FibreBcsdf::kLobes; ++mode)
             ASSERT_EQ(values[at].q[mode][lane], alone.q[mode]) << lane << " " << mode;
-          ASSERT_EQ(values[at].chord[lane], alone.chord);
-          ASSERT_EQ(values[at].inside[lane], alone.inside);
+          ASSERT_EQ(values[at].chord_radii[lane], alone.chord_radii);
+          ASSERT_EQ(values[at].internalReflectance[lane], alone.internalReflectance);
         }
     }
   }
@@ -121,7 +121,7 @@ TEST(FibreBcsdf, SamplesOfManyRaysAreToTheBitThoseOfEachAlone) {
         ASSERT_EQ(together.wi.y[lane], one.wi.y);
         ASSERT_EQ(together.wi.z[lane], one.wi.z);
         ASSERT_EQ(together.order[lane], one.order);
-        ASSERT_EQ(together.length[lane], one.length);
+        ASSERT_EQ(together.length_radii[lane], one.length_radii);
         ASSERT_EQ(together.pdf[lane], one.pdf);
         ASSERT_EQ(own[lane].next(), alone[lane].next()) << "each has drawn as many numbers";
         ++modes[static_cast<size_t>(std::min(one.order, 3))];
@@ -198,7 +198,7 @@ TEST(FibreBcsdf, SamplesHaveWeightOne) {
         const FibreBcsdf::Sample sample = bcsdf.sample(wo, h, random);
         EXPECT_NEAR(glm::length(sample.wi), 1, 1e-5);
         EXPECT_NEAR(bcsdf.evaluate(wo, sample.wi, h).sum() / sample.pdf, 1, 3e-4);
-        EXPECT_EQ(sample.length, static_cast<float>(sample.order) * bcsdf.modes(wo, h).chord);
+        EXPECT_EQ(sample.length_radii, static_cast<float>(sample.order) * bcsdf.modes(wo, h).chord_radii);
       }
     }
   }
@@ -272,7 +272,7 @@ TEST(FibreBcsdf, EdgesOfTheFibreGiveNumbers) {
                 const FibreBcsdf::Sample sample = bcsdf.sample(wo, h, random);
                 EXPECT_TRUE(std::isfinite(sample.wi.x + sample.wi.y + sample.wi.z));
                 EXPECT_TRUE(std::isfinite(sample.pdf) && sample.pdf > 0) << sample.pdf;
-                EXPECT_TRUE(std::isfinite(sample.length) && sample.order >= 0);
+                EXPECT_TRUE(std::isfinite(sample.length_radii) && sample.order >= 0);
               }
               for (const glm::vec3 wi : {wo, -wo, glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)}) {
                 const float sum = bcsdf.evaluate(wo, wi, h).sum();
@@ -292,7 +292,7 @@ TEST(FibreBcsdf, NotANumberNeitherHangsNorCrashes) {
   Random random(1);
   EXPECT_GE(bcsdf.sample(glm::vec3(bad), 0.5f, random).order, 0);
   EXPECT_GE(bcsdf.sample(glm::vec3(0, 1, 0), bad, random).order, 0);
-  EXPECT_TRUE(std::isfinite(bcsdf.evaluate(glm::vec3(bad), glm::vec3(bad), bad).chord));
+  EXPECT_TRUE(std::isfinite(bcsdf.evaluate(glm::vec3(bad), glm::vec3(bad), bad).chord_radii));
 }
 
 }  // namespace

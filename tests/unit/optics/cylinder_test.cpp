@@ -37,7 +37,7 @@ double meanOverOffset(Function&& f) {
 struct TracedCylinder {
   std::array<glm::dvec3, 3> leaving;  ///< directionAt after R, TT, TRT
   std::array<double, 3> share;
-  double chord = 0;
+  double chord_radii = 0;
 
   TracedCylinder(glm::dvec3 wo, double h, double index) {
     const double azimuth = std::atan2(wo.z, wo.y) - std::asin(h);
@@ -58,8 +58,8 @@ struct TracedCylinder {
   /// Where a ray from one point of the unit cylinder meets it again: the point is also the outward normal there.
   glm::dvec3 next(glm::dvec3 point, glm::dvec3 d) {
     const double across2 = d.y * d.y + d.z * d.z;
-    chord = -2 * (point.y * d.y + point.z * d.z) / across2;
-    const glm::dvec3 met = point + chord * d;
+    chord_radii = -2 * (point.y * d.y + point.z * d.z) / across2;
+    const glm::dvec3 met = point + chord_radii * d;
     return {0, met.y, met.z};
   }
   static double reflectance(double outer, double inner, double index) {
@@ -76,7 +76,7 @@ TEST(DielectricCylinder, AgreesWithTracingRaysThroughIt) {
         const glm::vec3 wo = directionAt(theta, 0.7);
         const TracedCylinder traced(wo, h, index);
         const optics::CylinderHit<float> hit({wo.x, wo.y, wo.z}, static_cast<float>(h), static_cast<float>(index));
-        EXPECT_NEAR(hit.chord / traced.chord, 1, 1e-5);
+        EXPECT_NEAR(hit.chord_radii / traced.chord_radii, 1, 1e-5);
         for (size_t mode = 0; mode < 3; ++mode) {
           EXPECT_NEAR(hit.share[mode], traced.share[mode], 1e-5);
           EXPECT_NEAR(traced.leaving[mode].x, -wo.x, 1e-6);
@@ -124,9 +124,9 @@ TEST(FibreBcsdf, AlbedoFollowsFromTheLengthsInside) {
     const double sigma = absorption;
     const double mean = meanOverOffset([&](float h) {
       const FibreBcsdf::Modes m = fibre.modes(directionAt(0, 0), h);
-      const double t = std::exp(-sigma * m.chord);
+      const double t = std::exp(-sigma * m.chord_radii);
       return m.share[0] + m.share[1] * t + m.share[2] * t * t +
-             m.share[3] * (1 - m.inside) * t * t * t / (1 - m.inside * t);
+             m.share[3] * (1 - m.internalReflectance) * t * t * t / (1 - m.internalReflectance * t);
     });
     EXPECT_NEAR(mean, albedo, 5e-4) << sigma;
   }

@@ -51,7 +51,7 @@ std::vector<Met> lights(size_t count) {
     if (random.below(4) > 0) {
       light.material = static_cast<int>(random.below(kMaterials));
       light.traverse_mm = 0.03f * random.uniform() + 1e-4f;
-      light.inside = random.uniform();
+      light.internalReflectance = random.uniform();
       for (float& mode : light.modes) mode = random.uniform();
     }
     if (random.below(2) > 0)

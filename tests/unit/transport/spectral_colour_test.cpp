@@ -40,7 +40,7 @@ PathLight fromAFibre() {
   PathLight light{Rgb(0.9f, 0.8f, 0.4f), {0.1f, 0.5f, 0.25f, 0.15f}};
   light.material = 1;
   light.traverse_mm = 0.02f;
-  light.inside = 0.3f;
+  light.internalReflectance = 0.3f;
   return light;
 }
 
@@ -91,7 +91,7 @@ TEST(SpectralColour, IsTheSumOverWavelengthsAndPasses) {
   const LinearWeights daylight = linearWeights(illuminantNamed("D65"), Observer::degrees2);
   glm::dvec3 expected(0.0);
   for (size_t j = 0; j < kBands; ++j) {
-    const double t = std::exp(-double{dye[j]} * light.traverse_mm), inside = light.inside;
+    const double t = std::exp(-double{dye[j]} * light.traverse_mm), inside = light.internalReflectance;
     double through = light.modes[0] + light.modes[1] * t + light.modes[2] * t * t;
     double share = 1 - inside, passed = t * t * t;
     for (int p = 3; p < 80; ++p, share *= inside, passed *= t) through += light.modes[3] * share * passed;
