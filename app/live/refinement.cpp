@@ -45,11 +45,16 @@ glm::vec4 light(const Film& film, int x, int y) {
 
 }  // namespace
 
-Refinement::Refinement(Traceable cloth, int width, int height, double secondsPerPath)
-    : cloth_(std::move(cloth)), fine_(width, height), window_{0, 0, width, height}, start_(Clock::now()) {
+Refinement::Refinement(Traceable cloth, int width, int height, const Options& options)
+    : cloth_(std::move(cloth)),
+      options_(options),
+      fine_(width, height),
+      window_{0, 0, width, height},
+      start_(Clock::now()) {
   history_.width = width;
   history_.height = height;
-  history_.secondsPerPath = secondsPerPath;
+  history_.secondsPerPath = options.secondsPerPath;
+  if (options.paths_bytes > 0) records_ = recordsFor(fine_);
 }
 
 void Refinement::look(const PixelRect& window) {
@@ -64,14 +69,9 @@ void Refinement::look(const PixelRect& window) {
   start_ = Clock::now();
 }
 
-void Refinement::keepPaths(size_t bytes) {
-  paths_bytes_ = bytes;
-  records_ = recordsFor(fine_);
-}
-
 std::unique_ptr<PathRecords> Refinement::recordsFor(const Film& film) const {
   return std::make_unique<PathRecords>(film.width(), film.height(), static_cast<int>(scene().cloth->materials.size()),
-                                       paths_bytes_);
+                                       options_.paths_bytes);
 }
 
 Refinement::Paths Refinement::paths() const {
@@ -98,7 +98,7 @@ void Refinement::beginWith(const FirstPass& first) {
 
 bool Refinement::converged() const {
   if (pass_) return false;
-  if (isSketch_ && spent_s_ > 0 && (known_ || history_.divider < kCoarseEnough)) return true;
+  if (options_.isSketch && spent_s_ > 0 && (known_ || history_.divider < kCoarseEnough)) return true;
   return nextPass(history_, samplesWanted()).samples == 0;
 }
 
@@ -114,7 +114,7 @@ Film& Refinement::filmFor(int divider) {
   }
   if (coarse_.empty() || divider != coarse_.back().divider) {
     coarse_.push_back({Film(coarser(fine_.width(), divider), coarser(fine_.height(), divider)), divider});
-    if (paths_bytes_ > 0) coarseRecords_ = recordsFor(coarse_.back().film);
+    if (options_.paths_bytes > 0) coarseRecords_ = recordsFor(coarse_.back().film);
   }
   return coarse_.back().film;
 }
@@ -142,7 +142,7 @@ uint32_t Refinement::hitsWanted() const {
 /// First fibres come before any fine pass, which takes seconds. They come in turn with coarse ones, which are quick and
 /// seen at once; or before them, where the light that they are seen in is known and the picture is legible until then.
 bool Refinement::hitsAreNext() const {
-  if (!shared_ || isSketch_ || shared_->hits() >= hitsWanted()) return false;
+  if (!shared_ || options_.isSketch || shared_->hits() >= hitsWanted()) return false;
   const bool isLegible = known_ || showsMoved() || history_.divider < FirstPass::kLegible + history_.first.finer;
   return (knowsLight_ && isLegible) || isHitsTurn_ || nextPass(history_, samplesWanted()).divider == 1;
 }
@@ -282,7 +282,7 @@ void Refinement::finish(Frame& frame) const {
     frame.samples += static_cast<int>(
         std::lround(standIn_->share(history_.samples) * static_cast<float>(standIn_->frame().samples)));
   frame.seconds = secondsSince(start_);
-  if (asTraced_) {
+  if (options_.asTraced) {
     // One lucky path to the sun is held back until samples come.
     if (frame.divider == 1 && frame.samples < kClearSamples)
       despeckle(frame.rgba, frame.width, frame.height, 1.5f + static_cast<float>(std::max(1, frame.samples)));
@@ -420,7 +420,7 @@ Frame Refinement::traced(const Film& film, int divider) const {
   frame.height = pixels.height;
   frame.window = {pixels.x * divider, pixels.y * divider, pixels.width * divider, pixels.height * divider};
   frame.rgba.resize(static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height));
-  if (!asTraced_) frame.hits.resize(frame.rgba.size());
+  if (!options_.asTraced) frame.hits.resize(frame.rgba.size());
   if (standIn_ && !standIn_->frame().helped.empty()) frame.helped.resize(frame.rgba.size());
   parallelFor(static_cast<size_t>(frame.height), threads_, [&](size_t row) {
     const int y = pixels.y + static_cast<int>(row);
@@ -433,7 +433,7 @@ Frame Refinement::traced(const Film& film, int divider) const {
       frame.rgba[i] = share > 0 ? glm::mix(own, standIn_->light(x, y, divider), share) : own;
       if (!frame.helped.empty())
         frame.helped[i] = share > 0 ? glm::mix(own, standIn_->helped(x, y, divider), share) : own;
-      if (!asTraced_) frame.hits[i] = samples == 0 && standIn_ ? standIn_->hit(x, y, divider) : film.hit(x, y);
+      if (!options_.asTraced) frame.hits[i] = samples == 0 && standIn_ ? standIn_->hit(x, y, divider) : film.hit(x, y);
     }
   });
   return frame;

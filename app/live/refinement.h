@@ -31,9 +31,18 @@ struct Traceable {
 /// no memory.
 class Refinement {
  public:
-  /// The window is the whole. `secondsPerPath`: as measured before; 0: unknown. Throws InputError where memory does not
-  /// suffice.
-  Refinement(Traceable cloth, int width, int height, double secondsPerPath);
+  /// What it is from its first pass to its last.
+  struct Options {
+    double secondsPerPath = 0;  ///< as measured before; 0: unknown
+    /// The cloth is still being built, and its builder needs the processor: the picture rests when it is in light that
+    /// was known before, or at a half or a third of its resolution, and no first fibres are found for shared light.
+    bool isSketch = false;
+    bool asTraced = false;  ///< frames have no hits, and are as they were traced: for the inset
+    /// What recolouring needs is kept within so many bytes; of coarse passes too, one after the other. 0: it is not.
+    size_t paths_bytes = 0;
+  };
+  /// The window is the whole. Throws InputError where memory does not suffice.
+  Refinement(Traceable cloth, int width, int height, const Options& options);
 
   void look(const PixelRect& window);  ///< within the film
   /// Before the first pass: no coarser than this, because the old picture says more than a coarser one would.
@@ -41,12 +50,9 @@ class Refinement {
   void beginWith(const FirstPass& first);
   /// Leaves out all passes whose divider is this or larger: for a picture that another one stands in for, or that is
   /// not shown before it has many samples. A sketch makes its last pass all the same.
-  void skipCoarse(int divider = 1) { history_.divider = isSketch_ ? std::max(divider, kCoarseEnough) : divider; }
-  /// The cloth is still being built, and its builder needs the processor: the picture rests when it is in light that
-  /// was known before, or at a half or a third of its resolution, and no first fibres are found for shared light.
-  void asSketch() { isSketch_ = true; }
-  /// Frames have no hits, and are as they were traced: for the inset.
-  void asTraced() { asTraced_ = true; }
+  void skipCoarse(int divider = 1) {
+    history_.divider = options_.isSketch ? std::max(divider, kCoarseEnough) : divider;
+  }
   /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
   void standIn(std::shared_ptr<const Frame> earlier) { standIn_.emplace(std::move(earlier)); }
   /// A picture of the same cloth in the same light, of the whole window at full resolution, seen by another camera:
@@ -64,9 +70,6 @@ class Refinement {
   void denoise(bool wanted) { denoised_ = wanted; }
   /// So many samples a pixel are enough; those that there are stay.
   void restAt(uint32_t samples) { rest_ = samples; }
-  /// From now on keeps what recolouring needs, within so many bytes; of coarse passes too, one after the other. Before
-  /// the first pass.
-  void keepPaths(size_t bytes);
 
   /// From now on shows light that repeats share, while it is better than the film. `earlier` (may be null) is that of
   /// another picture, and `edit` what came between.
@@ -146,6 +149,7 @@ class Refinement {
   std::vector<float> variances(const Frame& frame) const;
 
   Traceable cloth_;
+  Options options_;
   Film fine_;
   bool fineBegun_ = false;
   std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
@@ -155,9 +159,8 @@ class Refinement {
   bool isNews_ = true;                    ///< the last step has changed what is to be seen
   /// Of coarse passes: the last that is done, and a finer one under way.
   std::vector<CoarseFilm> coarse_;
-  size_t paths_bytes_ = 0;                      ///< that the paths of either may take; 0: they are not kept
   std::unique_ptr<PathRecords> coarseRecords_;  ///< of the last of coarse_
-  bool denoised_ = false, asTraced_ = false, isSketch_ = false;
+  bool denoised_ = false;
   uint32_t rest_ = kUsualRest;  ///< samples a pixel
   int threads_ = 1;             ///< of the last pass
   std::optional<Pass> pass_;

@@ -251,11 +251,11 @@ bool Tracer::recolour(const std::optional<Changes>& sincePicture) {
 /// `light`: what repeats shared in the picture before, and `edit` what came between.
 void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> light, const Changes& edit) {
   const Request& request = taken_.request;
-  picture_.emplace(request.cloth, request.width, request.height, secondsPerPath);
+  const Refinement::Options options{
+      .secondsPerPath = secondsPerPath, .isSketch = request.sketch, .paths_bytes = kPathBytes};
+  picture_.emplace(request.cloth, request.width, request.height, options);
   if (taken_.shared && SharedLight::serves(*request.cloth.scene, request.width, request.height))
     picture_->shareLight(std::move(light), edit);
-  if (request.sketch) picture_->asSketch();
-  picture_->keepPaths(kPathBytes);
   picture_->denoise(taken_.denoised);
   picture_->restAt(taken_.rest);
 }
@@ -308,9 +308,9 @@ void Tracer::openInset() {
     return;
   }
   if (!inset_) {
+    const Refinement::Options options{.secondsPerPath = insetSecondsPerPath_, .asTraced = true};
     inset_.emplace(Traceable{taken_.request.cloth.scene, taken_.fibres.medium}, taken_.request.width,
-                   taken_.request.height, insetSecondsPerPath_);
-    inset_->asTraced();
+                   taken_.request.height, options);
     inset_->restAt(taken_.rest);
     spentBeforeInset_s_ = picture_->spent_s();
   }

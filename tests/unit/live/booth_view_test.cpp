@@ -12,8 +12,7 @@ class BoothOfRefinement : public test::RefiningTest {};
 // Whoever asks for the booth while a picture is young need not wait for its first sample: each pass that has filled it
 // says how light changes.
 TEST_F(BoothOfRefinement, DividesAPictureFromItsFirstPassOn) {
-  Refinement picture(cloth, kWidth, kHeight, 0);
-  picture.keepPaths(size_t{64} << 20);
+  Refinement picture(cloth, kWidth, kHeight, {.paths_bytes = size_t{64} << 20});
   int passes = 0;
   while (picture.samples() == 0) {
     const int before = picture.divider();

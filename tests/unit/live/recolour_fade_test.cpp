@@ -9,10 +9,9 @@ class RecolourFade : public test::RefiningTest {};
 
 // While a picture still has a share of an earlier one, that share is recoloured with it: nothing leaps.
 TEST_F(RecolourFade, KeepsTheShareOfTheEarlierPicture) {
-  Refinement earlier(cloth, kWidth, kHeight, 0);
+  Refinement earlier(cloth, kWidth, kHeight, {});
   refine(earlier, 64);
-  Refinement picture(cloth, kWidth, kHeight, 0);
-  picture.keepPaths(size_t{64} << 20);
+  Refinement picture(cloth, kWidth, kHeight, {.paths_bytes = size_t{64} << 20});
   picture.standIn(std::make_shared<const Frame>(earlier.frame()));
   picture.skipCoarse();
   refine(picture, 1);

@@ -15,7 +15,7 @@ namespace {
 class RefinementTest : public test::RefiningTest {};
 
 TEST_F(RefinementTest, TheWholeHasTheSamplesOfTheRenderer) {
-  Refinement refinement(cloth, kWidth, kHeight, 0);
+  Refinement refinement(cloth, kWidth, kHeight, {});
   EXPECT_FALSE(refinement.begun());
   refine(refinement, 1);
   Film film(kWidth, kHeight);
@@ -29,8 +29,7 @@ TEST_F(RefinementTest, TheWholeHasTheSamplesOfTheRenderer) {
 }
 
 TEST_F(RefinementTest, AWindowTracesItsPixelsOnlyAndFindsThemAgain) {
-  Refinement refinement(cloth, kWidth, kHeight, 0);
-  refinement.asTraced();
+  Refinement refinement(cloth, kWidth, kHeight, {.asTraced = true});
   const PixelRect first{4, 6, 20, 16}, second{30, 20, 20, 16};
   refinement.look(first);
   refine(refinement, 2);
@@ -58,7 +57,7 @@ TEST_F(RefinementTest, AWindowTracesItsPixelsOnlyAndFindsThemAgain) {
 }
 
 TEST_F(RefinementTest, RestsAtTheSamplesAskedForAndGoesOnWhereMoreAreWanted) {
-  Refinement refinement(cloth, kWidth, kHeight, 0);
+  Refinement refinement(cloth, kWidth, kHeight, {});
   const auto untilAtRest = [&] {
     while (!refinement.converged()) ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
   };
@@ -83,7 +82,7 @@ TEST_F(RefinementTest, DoesNotRestBeforeWhatStandsInIsGone) {
   earlier.samples = kEarlier;
   earlier.rgba.resize(size_t{kWidth} * kHeight);
   earlier.hits.resize(earlier.rgba.size());
-  Refinement refinement(cloth, kWidth, kHeight, 0);
+  Refinement refinement(cloth, kWidth, kHeight, {});
   refinement.standIn(std::make_shared<const Frame>(earlier));
   refinement.skipCoarse();
   refinement.restAt(2);
@@ -93,7 +92,7 @@ TEST_F(RefinementTest, DoesNotRestBeforeWhatStandsInIsGone) {
 }
 
 TEST_F(RefinementTest, ACoarseWindowCoversAllThatWasAskedFor) {
-  Refinement refinement(cloth, kWidth, kHeight, 1e-3);  // so slow a cloth begins coarsely
+  Refinement refinement(cloth, kWidth, kHeight, {.secondsPerPath = 1e-3});  // so slow a cloth begins coarsely
   const PixelRect window{13, 7, 30, 22};
   refinement.look(window);
   ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
@@ -108,7 +107,7 @@ TEST_F(RefinementTest, ACoarseWindowCoversAllThatWasAskedFor) {
 }
 
 TEST_F(RefinementTest, AStoppedPassLosesNothing) {
-  Refinement refinement(cloth, kWidth, kHeight, 0);
+  Refinement refinement(cloth, kWidth, kHeight, {});
   refine(refinement, 1);
   const uint32_t had = refinement.samples();
   std::stop_source stop;
@@ -123,7 +122,7 @@ TEST_F(RefinementTest, AStoppedPassLosesNothing) {
 TEST_F(RefinementTest, ALongPassComesInParts) {
   constexpr int kWide = 300, kHigh = 200;
   constexpr double kSlow_s = 1e-3;  // a path, as expected: a minute for the picture
-  Refinement whole(cloth, kWide, kHigh, kSlow_s);
+  Refinement whole(cloth, kWide, kHigh, {.secondsPerPath = kSlow_s});
   whole.beginWith({2, 1e9});
   ASSERT_TRUE(whole.advance(Task{{}, {}, 1}));
   const Frame coarse = whole.frame();
@@ -134,7 +133,7 @@ TEST_F(RefinementTest, ALongPassComesInParts) {
   watched.medium = std::make_shared<const test::WatchedMedium>(cloth.medium, [&](uint64_t path) {
     if (path == kWide * kHigh / 3) stop.request_stop();
   });
-  Refinement inParts(watched, kWide, kHigh, kSlow_s);
+  Refinement inParts(watched, kWide, kHigh, {.secondsPerPath = kSlow_s});
   inParts.standIn(std::make_shared<const Frame>(coarse));
   inParts.skipCoarse(2);
   EXPECT_TRUE(inParts.begun());
@@ -157,7 +156,7 @@ TEST_F(RefinementTest, ALongPassComesInParts) {
 
 TEST_F(RefinementTest, AYoungPictureIsHelpedForTheDisplayAlone) {
   constexpr uint32_t kClear = 16;  // from there on pictures are shown as they are
-  Refinement refinement(cloth, kWidth, kHeight, 1e-3);
+  Refinement refinement(cloth, kWidth, kHeight, {.secondsPerPath = 1e-3});
   while (refinement.samples() < kClear) {
     ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
     if (refinement.samples() == 0) continue;
@@ -180,7 +179,7 @@ TEST_F(RefinementTest, WhatStandsInIsHelpedForTheDisplayAlone) {
   earlier.rgba.assign(size_t{kWidth} * kHeight, traced);
   earlier.helped.assign(earlier.rgba.size(), helped);
   earlier.hits.resize(earlier.rgba.size());
-  Refinement refinement(cloth, kWidth, kHeight, 0);
+  Refinement refinement(cloth, kWidth, kHeight, {});
   refinement.standIn(std::make_shared<const Frame>(earlier));
   refinement.skipCoarse();
   const Frame frame = refinement.frame();
@@ -191,7 +190,7 @@ TEST_F(RefinementTest, WhatStandsInIsHelpedForTheDisplayAlone) {
 
 TEST_F(RefinementTest, TakesOverFromAnotherPictureWithoutALeapAndForgetsIt) {
   constexpr uint32_t kClear = 16;  // from there on pictures are shown as they are
-  Refinement refinement(cloth, kWidth, kHeight, 0);
+  Refinement refinement(cloth, kWidth, kHeight, {});
   Frame earlier;
   earlier.width = kWidth;
   earlier.height = kHeight;

@@ -16,7 +16,7 @@ class SharedRefinement : public test::RefiningTest {
   static constexpr double kSlow_s = 1e-4;  ///< a path: so that it begins coarse
 
   Refinement sharing() const {
-    Refinement refinement(cloth, kWidth, kHeight, kSlow_s);
+    Refinement refinement(cloth, kWidth, kHeight, {.secondsPerPath = kSlow_s});
     refinement.shareLight(nullptr, {});
     return refinement;
   }
@@ -33,7 +33,7 @@ class SharedRefinement : public test::RefiningTest {
 };
 
 TEST_F(SharedRefinement, TheFilmKnowsNothingOfIt) {
-  Refinement shared = sharing(), plain(cloth, kWidth, kHeight, kSlow_s);
+  Refinement shared = sharing(), plain(cloth, kWidth, kHeight, {.secondsPerPath = kSlow_s});
   // How many samples a pass has hangs on how long they take; where they rest does not.
   constexpr uint32_t kEnough = 6;
   for (Refinement* refinement : {&shared, &plain}) {
@@ -65,10 +65,10 @@ TEST_F(SharedRefinement, IsSeenAtFullResolutionBeforeTheFilmIs) {
 // pass, so they need several of their own.
 TEST_F(SharedRefinement, FirstFibresAreThereBeforeAnyFinePassBegins) {
   constexpr int kTall = 3 * kHeight;
-  Refinement before(cloth, kWidth, kTall, kSlow_s);
+  Refinement before(cloth, kWidth, kTall, {.secondsPerPath = kSlow_s});
   before.shareLight(nullptr, {});
   refine(before, 1);
-  Refinement after(turnedSlowly(), kWidth, kTall, kSlow_s);
+  Refinement after(turnedSlowly(), kWidth, kTall, {.secondsPerPath = kSlow_s});
   after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, *after.scene().fabric));
   after.standIn(std::make_shared<const Frame>(before.frame()));
   after.skipCoarse(3);
@@ -84,10 +84,10 @@ TEST_F(SharedRefinement, FirstFibresAreThereBeforeAnyFinePassBegins) {
 // A view in known light is clearer than coarse passes with the noise of one path a pixel.
 TEST_F(SharedRefinement, FirstFibresComeBeforeCoarsePassesWhereLightIsKnown) {
   constexpr int kTall = 3 * kHeight;
-  Refinement before(cloth, kWidth, kTall, kSlow_s);
+  Refinement before(cloth, kWidth, kTall, {.secondsPerPath = kSlow_s});
   before.shareLight(nullptr, {});
   refine(before, 1);
-  Refinement after(turnedSlowly(), kWidth, kTall, 4 * kSlow_s);
+  Refinement after(turnedSlowly(), kWidth, kTall, {.secondsPerPath = 4 * kSlow_s});
   after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, *after.scene().fabric));
   after.beginWith({12, 0.1, 3});
   ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
@@ -110,9 +110,8 @@ TEST_F(SharedRefinement, OfASketchThereAreCoarsePassesAlone) {
   for (const bool known : {true, false}) {
     Refinement before = sharing();
     refine(before, 1);
-    Refinement sketch(next, kWidth, kHeight, 4 * kSlow_s);
+    Refinement sketch(next, kWidth, kHeight, {.secondsPerPath = 4 * kSlow_s, .isSketch = true});
     sketch.shareLight(known ? before.takeSharedLight() : nullptr, edit);
-    sketch.asSketch();
     sketch.beginWith({8, 0.3, 3});
     EXPECT_FALSE(sketch.converged());
     int passes = 0;
@@ -136,9 +135,9 @@ TEST_F(SharedRefinement, KnownLightHasNotTheNoiseOfWhatStandsIn) {
   Refinement before = sharing();
   refine(before, 1);
   constexpr double kBeginsAtAThird_s = 0.16 / (kWidth * kHeight);
-  Refinement sketch({test::sceneOf(turned), cloth.medium}, kWidth, kHeight, kBeginsAtAThird_s);
+  Refinement sketch({test::sceneOf(turned), cloth.medium}, kWidth, kHeight,
+                    {.secondsPerPath = kBeginsAtAThird_s, .isSketch = true});
   sketch.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, turned));
-  sketch.asSketch();
   sketch.beginWith({8, 0.3, 3});
   while (!sketch.converged()) ASSERT_TRUE(sketch.advance(Task{{}, {}, 1}));
   ASSERT_TRUE(sketch.showsKnownLight());
@@ -159,7 +158,7 @@ TEST_F(SharedRefinement, TheFirstPictureOfAMovedViewHasTheDetailOfTheOneBefore) 
   const Changes edit = changes(*cloth.scene->fabric, turned);
   const Traceable moved{makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()), cloth.medium};
   for (const bool known : {true, false}) {
-    Refinement after(moved, kWidth, kHeight, kSlow_s);
+    Refinement after(moved, kWidth, kHeight, {.secondsPerPath = kSlow_s});
     after.shareLight(known ? before.takeSharedLight() : nullptr, edit);
     after.beginWith(kMoving);
     ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
@@ -202,9 +201,10 @@ TEST_F(SharedRefinement, AMovedViewIsAsSharpAsThePictureBefore) {
   const Traceable moved{makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()), cloth.medium};
   for (const bool sharesLight : {true, false}) {
     SCOPED_TRACE(sharesLight);
-    Refinement after(moved, kWidth, kHeight, kSlow_s), without(moved, kWidth, kHeight, kSlow_s);
+    Refinement after(moved, kWidth, kHeight, {.secondsPerPath = kSlow_s}),
+        without(moved, kWidth, kHeight, {.secondsPerPath = kSlow_s});
     for (Refinement* one : {&without, &after}) {
-      Refinement before(cloth, kWidth, kHeight, kSlow_s);
+      Refinement before(cloth, kWidth, kHeight, {.secondsPerPath = kSlow_s});
       if (sharesLight) before.shareLight(nullptr, {});
       refine(before, 32);
       if (one == &after) after.movedFrom(std::make_shared<const Frame>(before.frame()), cloth.scene->fabric->camera);
@@ -250,7 +250,7 @@ TEST_F(SharedRefinement, BelievesCoarsePassesUntilTheFirstFineOne) {
   Fabric bright = *cloth.scene->fabric;
   bright.light.intensity *= kBrighter;
   const Traceable brighter{makeScene(std::make_shared<const Fabric>(bright), Task{}, cloth.scene.get()), cloth.medium};
-  Refinement before = sharing(), after(brighter, kWidth, kHeight, kSlow_s);
+  Refinement before = sharing(), after(brighter, kWidth, kHeight, {.secondsPerPath = kSlow_s});
   refine(before, 16);
   const Rgb dim = meanOf(before.frame());
   after.shareLight(before.takeSharedLight(), {});
@@ -271,7 +271,7 @@ TEST_F(SharedRefinement, AMovedViewThatWasYoungGivesWayToSharedLight) {
   for (const uint32_t samples : {1u, 32u}) {
     Refinement before = sharing();
     refine(before, samples);
-    Refinement after(moved, kWidth, kHeight, kSlow_s);
+    Refinement after(moved, kWidth, kHeight, {.secondsPerPath = kSlow_s});
     after.movedFrom(std::make_shared<const Frame>(before.frame()), cloth.scene->fabric->camera);
     after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, turned));
     after.beginWith({12, 0.1, 3});
