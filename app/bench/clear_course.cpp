@@ -112,7 +112,7 @@ ClearReference::ClearReference(const Fabric& fabric, const ClearReferenceTask& o
   Film film(width_, height_);
   const CameraRays camera(seeded.camera, width_, height_);
   for (const PixelRect& rect : rects) {
-    if (!renderUpTo(of.samples, *scene, *medium, camera, film, rect, task).complete) return;
+    if (!renderUpTo(of.samples, *scene, *medium, camera, film, task, {.window = rect}).complete) return;
     LinearPicture& window = windows_.emplace_back();
     window = {rect.width, rect.height, {}};
     for (int y = rect.y; y < rect.y + rect.height; ++y)

@@ -13,13 +13,12 @@ std::optional<Film> tracedFilm(const Scene& scene, const Medium& medium, const T
   const RenderSettings& settings = scene.fabric->render;
   Film film(settings.width, settings.height);
   const CameraRays camera(scene.fabric->camera, settings.width, settings.height);
-  const PixelRect all{0, 0, settings.width, settings.height};
   const auto samples = static_cast<uint32_t>(settings.samplesPerPixel);
   for (uint32_t done = 0; done < samples;) {
     const double before = static_cast<double>(done) / samples;
     done = std::min(samples, done + std::max(1u, samples / kBatches));
     const Task batch = partOf(task, before, static_cast<double>(done) / samples);
-    if (!renderUpTo(done, scene, medium, camera, film, all, batch, 0, nullptr, first).complete) return std::nullopt;
+    if (!renderUpTo(done, scene, medium, camera, film, batch, {.first = first}).complete) return std::nullopt;
   }
   return film;
 }

@@ -174,8 +174,8 @@ bool Refinement::advance(const Task& task) {
   bool complete = true;
   FirstFibreSink* const first = shared_ ? shared_->listener(history_.samples, plan.divider) : nullptr;
   while (complete && !pass_->buckets.finished() && seconds < budget) {
-    const PassResult result =
-        renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, pass_->buckets.next(), task, 0, records, first);
+    const PassResult result = renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, task,
+                                         {.window = pass_->buckets.next(), .records = records, .first = first});
     if (first) shared_->settle();
     seconds = secondsSince(start);
     paths += result.counts.paths;

@@ -118,13 +118,10 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
 }
 
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
-                      const Task& task, uint32_t firstSample) {
-  return renderUpTo(samples, scene, medium, camera, film, {0, 0, film.width(), film.height()}, task, firstSample);
-}
-
-PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
-                      const PixelRect& window, const Task& task, uint32_t firstSample, PathRecords* records,
-                      FirstFibreSink* first) {
+                      const Task& task, const PassOptions& options) {
+  const PixelRect window = options.window.value_or(PixelRect{0, 0, film.width(), film.height()});
+  PathRecords* const records = options.records;
+  FirstFibreSink* const first = options.first;
   // No two threads in one tile of the records.
   assert(!records || (window.x % PathRecords::kTile == 0 && window.y % PathRecords::kTile == 0));
   const Blocks blocks(window);
@@ -147,7 +144,7 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
           logs[i].clear();
           next.listener = &logs[i];
         }
-        next.index += firstSample;
+        next.index += options.firstSample;
       }
       if (!tracer.trace(wanted, counts[number], &task)) return;
       for (size_t i = 0; i < wanted.size(); ++i) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/base/task.h"
 #include "render/film/film.h"
 #include "render/transport/path_integrator.h"
@@ -74,17 +76,20 @@ class FirstFibreSink {
   virtual void sample(size_t block, int x, int y, const Ray& ray, const Collision* first, const PathSample& sample) = 0;
 };
 
-/// Brings every pixel of the film to `samples` samples, numbered from `firstSample` on: traces those that are missing,
-/// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop each time that the
+/// What of a picture a pass traces, and who hears of it.
+struct PassOptions {
+  std::optional<PixelRect> window = {};  ///< these pixels alone, with the samples that they have in the whole picture
+  uint32_t firstSample = 0;
+  /// Of the film's size: keeps the paths that it has room for. The window then begins where one of its tiles does.
+  PathRecords* records = nullptr;
+  FirstFibreSink* first = nullptr;  ///< hears of all samples
+};
+
+/// Brings every pixel of the film to `samples` samples, numbered from the first on: traces those that are missing, so
+/// that a stopped or resumed picture goes on where each of its pixels is. Checks stop each time that the
 /// paths under way have met a fibre; samples that are not in the film then are dropped, a thousand a thread at most.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
-                      const Task& task, uint32_t firstSample = 0);
-/// Brings the pixels of a window of the film to `samples` samples, the ones that they would have in the whole picture.
-/// `records`, of the film's size, keeps the paths it has room for; the window then begins where one of its tiles does.
-/// `first` hears of all samples.
-PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
-                      const PixelRect& window, const Task& task, uint32_t firstSample = 0,
-                      PathRecords* records = nullptr, FirstFibreSink* first = nullptr);
+                      const Task& task, const PassOptions& options = {});
 
 /// Samples that every pixel of the window has at least.
 uint32_t fewestSamples(const Film& film, const PixelRect& window);

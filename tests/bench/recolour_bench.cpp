@@ -48,7 +48,7 @@ void recolourPicture(benchmark::State& state, const char* file, LightKind light,
   Film film(kWidth, kHeight);
   PathRecords records(kWidth, kHeight, static_cast<int>(scene->cloth->materials.size()), kRecords);
   for (uint32_t samples = 1; samples <= kSamples; ++samples)
-    renderUpTo(samples, *scene, *medium, camera, film, {0, 0, kWidth, kHeight}, Task{}, 0, &records);
+    renderUpTo(samples, *scene, *medium, camera, film, Task{}, {.records = &records});
   Recolouring recolouring{scene->colouring, Rgb(1)};
   for (auto _ : state) {
     dyeDeeper(recolouring.colouring);

@@ -103,8 +103,8 @@ bool trace(const ReusableCloth& built, Begun& picture, Task task, ProgressStyle 
       progress.update((done - first + fraction * batch) / (samples - first));
     };
     Stopwatch watch;
-    const PassResult pass = renderUpTo(done + batch, *built.scene, *built.medium, camera, picture.film,
-                                       picture.box.window(), task, firstSample);
+    const PassResult pass = renderUpTo(done + batch, *built.scene, *built.medium, camera, picture.film, task,
+                                       {.window = picture.box.window(), .firstSample = firstSample});
     counts += pass.counts;
     // A stop that comes with the last path leaves nothing to go on with.
     if (!pass.complete) return fewestSamples(picture.film, picture.box.window()) >= samples;

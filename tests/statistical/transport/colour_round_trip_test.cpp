@@ -67,8 +67,8 @@ class Picture {
     fabric.camera.fov_deg = 0;
     fabric.camera.distance_mm = 20;
     const PatchOfCloth patch(fabric);
-    renderUpTo(kSamples, *patch.scene, *patch.medium, CameraRays(fabric.camera, kSide, kSide), film_, kMiddle, Task{},
-               0, &records_);
+    renderUpTo(kSamples, *patch.scene, *patch.medium, CameraRays(fabric.camera, kSide, kSide), film_, Task{},
+               {.window = kMiddle, .records = &records_});
   }
   /// Of what is cloth, linear.
   Rgb mean(const Colouring& dyed) const {

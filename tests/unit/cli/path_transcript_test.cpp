@@ -47,7 +47,7 @@ TEST_P(Transcript, AddsUpToWhatTheFilmGot) {
     for (int x = 1; x < kSide; x += 2)
       for (const uint32_t sample : {0u, 5u}) {
         Film film(kSide, kSide), told(kSide, kSide);
-        renderUpTo(1, *scene, *medium, camera, film, {x, y, 1, 1}, Task{}, sample);
+        renderUpTo(1, *scene, *medium, camera, film, Task{}, {.window = PixelRect{x, y, 1, 1}, .firstSample = sample});
         PathTranscript transcript(*scene, {"cotton"});
         TraceCounts counts;
         tracePath(*scene, *medium, camera, x, y, sample, counts, &transcript);

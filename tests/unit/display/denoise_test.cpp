@@ -150,7 +150,8 @@ class SampleView {
   }
   Film traced(uint32_t samples, uint32_t first) const {
     Film film(kWidth, kHeight);
-    renderUpTo(samples, *scene_, *medium_, CameraRays(fabric_.camera, kWidth, kHeight), film, Task{}, first);
+    renderUpTo(samples, *scene_, *medium_, CameraRays(fabric_.camera, kWidth, kHeight), film, Task{},
+               {.firstSample = first});
     return film;
   }
 

@@ -44,7 +44,7 @@ class RecolouredPicture {
     const auto medium = makeMedium(*scene, 1e9, Task{});
     const CameraRays camera(scene->fabric->camera, kSide, kSide);
     for (uint32_t upTo = 1; upTo <= samples; upTo *= 2)
-      renderUpTo(upTo, *scene, *medium, camera, film, {0, 0, kSide, kSide}, Task{}, 0, &records);
+      renderUpTo(upTo, *scene, *medium, camera, film, Task{}, {.records = &records});
   }
   Rgb mean() const {
     Rgb sum(0);

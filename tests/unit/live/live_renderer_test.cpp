@@ -347,7 +347,7 @@ TEST(ReferenceInset, ComparesBothPicturesAndTheVolumeGoesOn) {
     const auto scene = test::sceneOf(other);
     const auto medium = makeMedium(*scene, 4e9, Task{});
     Film film(64, 48);
-    renderUpTo(kSamples, *scene, *medium, CameraRays(fabric.camera, 64, 48), film, place, Task{});
+    renderUpTo(kSamples, *scene, *medium, CameraRays(fabric.camera, 64, 48), film, Task{}, {.window = place});
     return film;
   };
   const Film volume = traced(Method::volume), fibres = traced(Method::fibres);

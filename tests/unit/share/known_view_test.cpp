@@ -51,8 +51,8 @@ class KnownViewTest : public testing::Test {
     medium_ = makeMedium(*scene, 1e9, Task{});
     known_ = std::make_unique<SharedLight>(scene, medium_, kWidth, kHeight);
     Film film(kWidth, kHeight);
-    renderUpTo(4, *scene, *medium_, CameraRays(scene->fabric->camera, kWidth, kHeight), film, {0, 0, kWidth, kHeight},
-               threads(2), 0, nullptr, known_->listener(0, 1));
+    renderUpTo(4, *scene, *medium_, CameraRays(scene->fabric->camera, kWidth, kHeight), film, threads(2),
+               {.first = known_->listener(0, 1)});
     known_->settle();
     scene_ = sceneAt(light, 20);
     known_->moveTo(scene_, medium_, kWidth, kHeight, changes(*scene->fabric, *scene_->fabric));

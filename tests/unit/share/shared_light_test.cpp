@@ -50,8 +50,7 @@ struct Picture {
   }
   void trace(uint32_t samples, int threadCount) {
     const CameraRays camera(scene->fabric->camera, kWidth, kHeight);
-    renderUpTo(samples, *scene, *medium, camera, film, {0, 0, kWidth, kHeight}, threads(threadCount), 0, nullptr,
-               light->listener(0, 1));
+    renderUpTo(samples, *scene, *medium, camera, film, threads(threadCount), {.first = light->listener(0, 1)});
     light->settle();
   }
   std::vector<glm::vec4> shown(int threadCount) const { return light->picture(film, coarse, threadCount); }
@@ -199,7 +198,7 @@ double errorOfSharedOverFilm(const Fabric& fabric) {
   if (!picture.light->addHits(2, threads(2))) return INFINITY;
   picture.trace(1, 2);
   const CameraRays camera(converged.scene->fabric->camera, kWidth, kHeight);
-  renderUpTo(64, *converged.scene, *converged.medium, camera, converged.film, threads(2), 1);
+  renderUpTo(64, *converged.scene, *converged.medium, camera, converged.film, threads(2), {.firstSample = 1});
   std::vector<glm::vec4> film, wanted;
   picture.film.toDisplayBuffer(film);
   converged.film.toDisplayBuffer(wanted);

@@ -46,7 +46,7 @@ class Traced {
   }
   void bringTo(uint32_t samples, const Scene& scene, const Medium& medium) {
     const CameraRays camera(scene.fabric->camera, kSide, kSide);
-    renderUpTo(samples, scene, medium, camera, film, {0, 0, kSide, kSide}, Task{}, 0, &records);
+    renderUpTo(samples, scene, medium, camera, film, Task{}, {.records = &records});
   }
   Film film{kSide, kSide};
   PathRecords records;

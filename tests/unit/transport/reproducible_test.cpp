@@ -36,7 +36,7 @@ class ReproducibleFilm : public testing::Test {
     Film film(kWidth, kHeight);
     Task task;
     task.threads = threads;
-    renderUpTo(samples, *scene_, VolumeMedium(scene_->cloth), camera_, film, task, first);
+    renderUpTo(samples, *scene_, VolumeMedium(scene_->cloth), camera_, film, task, {.firstSample = first});
     return film;
   }
   std::shared_ptr<const Scene> scene_ = test::sceneOf(dyedCotton());
