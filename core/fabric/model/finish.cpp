@@ -24,8 +24,6 @@ constexpr double kMatted = 0.75;         // of the hairs that stand, how many it
 
 constexpr double kLustre = 0.6;  // of the roughness, what mercerising leaves
 
-// Of loose fibres as they are laid (core/geometry/yarn/flyaways.cpp).
-constexpr double kLoopShare = 0.4, kLoopReach = 0.4, kLyingLength = 2.5;
 constexpr double kMeanReach = 0.281;                 // of an exponential that is cut off at three means, over the cut
 constexpr double kClimbing = 1.09, kLooping = 1.05;  // longer than their way along the cloth, as they rise and curl
 
@@ -74,9 +72,9 @@ Fibre withFinishedSurface(Fibre fibre, const Fabric& fabric) {
 double meanHairLength_mm(double hairLength_mm, double diameter_mm, double lyingShare) {
   const double body = 0.5 * diameter_mm, reach = kMeanReach * hairLength_mm;
   const double standing = kClimbing * 2 * (reach + 0.5 * body);
-  const double lying = kClimbing * kLyingLength * (reach + 0.5 * body);
+  const double lying = kClimbing * kLyingHairLength * (reach + 0.5 * body);
   const double end = (1 - lyingShare) * standing + lyingShare * lying;
-  return (1 - kLoopShare) * end + kLoopShare * kLooping * (2 * body + 4 * kLoopReach * reach);
+  return (1 - kHairLoopShare) * end + kHairLoopShare * kLooping * (2 * body + 4 * kHairLoopReach * reach);
 }
 
 double hairinessH(const Yarn& yarn, const Fibre& fibre) {

@@ -26,6 +26,10 @@ HairLie hairLieOf(const Fabric& fabric, System system);
 /// smooth; it does nothing to a fibre of another section. Neither fineness nor dye change.
 Fibre withFinishedSurface(Fibre fibre, const Fabric& fabric);
 
+// How loose fibres lie, one by one (core/geometry/yarn/flyaways.h) as in the mean:
+inline constexpr double kHairLoopShare = 0.4;    ///< of them, so many rise and come back
+inline constexpr double kHairLoopReach = 0.4;    ///< how far a loop reaches, over the reach of an end
+inline constexpr double kLyingHairLength = 2.5;  ///< of an end that lies, over one that stands
 /// How long a loose fibre is, from its root to its tip, on average: loops, ends that stand, and ends that lie.
 /// `hairLength_mm` is how far they reach at most, the diameter that of the round yarn. Hairs of more than a few pitches
 /// of the cloth are laid shorter.

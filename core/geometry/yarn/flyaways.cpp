@@ -12,10 +12,7 @@
 namespace loomlight {
 namespace {
 
-constexpr double kLoopShare = 0.4;
-constexpr double kLoopReach = 0.4;    // of an end's
-constexpr double kLyingLength = 2.5;  // of one that stands
-constexpr double kLifted = 0.25;      // of a lying end: what it takes to leave its yarn
+constexpr double kLifted = 0.25;  // of a lying end: what it takes to leave its yarn
 
 /// Exponential, cut off at three mean lengths and scaled to (0, 1].
 double reachShare(Random& random) {
@@ -71,8 +68,8 @@ std::vector<Flyaway> placeFlyaways(const YarnGeometry& g, double budget_mm) {
   std::vector<Flyaway> flyaways(static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
     Flyaway& f = flyaways[i];
-    f.loop = random.uniformDouble() < kLoopShare;
-    f.rise_mm = g.hairLength_mm * reachShare(random) * (f.loop ? kLoopReach : 1.0);
+    f.loop = random.uniformDouble() < kHairLoopShare;
+    f.rise_mm = g.hairLength_mm * reachShare(random) * (f.loop ? kHairLoopReach : 1.0);
     f.root_mm = body * (0.6 + 0.35 * random.uniformDouble());
     f.angle = 2 * kPi * random.uniformDouble();
     f.angleSpan = random.uniformDouble() - 0.5;
@@ -81,7 +78,7 @@ std::vector<Flyaway> placeFlyaways(const YarnGeometry& g, double budget_mm) {
     f.lies = !f.loop && (g.hairLie.isRaised || random.uniformDouble() < g.hairLie.lyingShare);
     if (f.lies) {
       // A length of its own, in any direction of the cloth's plane.
-      const double length_mm = kLyingLength * (f.rise_mm + 0.5 * body), heading = 2 * kPi * random.uniformDouble();
+      const double length_mm = kLyingHairLength * (f.rise_mm + 0.5 * body), heading = 2 * kPi * random.uniformDouble();
       span_mm = length_mm * std::max(0.2, std::abs(std::cos(heading)));
       f.drift_mm = length_mm * std::sin(heading);
       f.curl = random.uniformDouble() - 0.5;
