@@ -74,7 +74,7 @@ void fillHoles(const std::vector<float>& opacity, int width, int height, std::ve
 /// and what lies beyond the tile's edges has no say.
 std::vector<glm::vec4> quietColours(const Film& film, int threads) {
   std::vector<glm::vec4> colours;
-  film.toDisplayBuffer(colours);
+  film.toDisplayBuffer(colours, threads);
   std::vector<Film::Hit> hits;
   std::vector<float> variances;
   for (int y = 0; y < film.height(); ++y)

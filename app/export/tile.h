@@ -54,7 +54,7 @@ struct TileMaps {
   std::vector<glm::vec3> normal;  ///< of the height, smoothed over a pixel; x to the right, y up, z towards the eye
   std::vector<int> yarn;          ///< index into Fabric::yarns; -1 in holes
 };
-/// Of a film of tileScene().
+/// Of a film of tileScene(). `threads`: 0 for all.
 TileMaps tileMaps(const Film& film, const Fabric& scene, int threads);
 
 struct TileReport {

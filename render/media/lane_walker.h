@@ -82,11 +82,11 @@ class DepthRayEnds {
 class LaneWalker {
  public:
   struct Rules {
-    float farthest_mm = 0;  ///< no axis is looked for farther ahead of the light
-    bool packing = true;    ///< light keeps to the gaps between fibres that do not overlap
-    bool hotSpot = true;    ///< what is known of fibres counts
-    bool boxes = true;      ///< fibres are in the boxes of their voxels alone
-    EventLaw law = EventLaw::projected;
+    float farthest_mm = 0;               ///< no axis is looked for farther ahead of the light
+    bool packing = true;                 ///< light keeps to the gaps between fibres that do not overlap
+    bool hotSpot = true;                 ///< what is known of fibres counts
+    bool boxes = true;                   ///< fibres are in the boxes of their voxels alone
+    EventLaw law = EventLaw::projected;  ///< by which a component is chosen (WalkField::byDensity)
   };
   LaneWalker(const TraceData& cloth, const Rules& rules);
 

@@ -1,8 +1,5 @@
 #include "render/media/loomlight_meetings.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/columns.h"
 #include "render/media/across_fibre.h"
 #include "render/media/antithetic_points.h"
@@ -219,17 +216,21 @@ ClothVolume::PlaceInVoxel LoomlightMeetings::placeOfAxis(const Meeting& meeting,
 /// Names the component of each meeting.
 void LoomlightMeetings::chooseFibres(std::span<const Meeting> meetings) {
   choices_->wanted.fill(0);
+  bool anyWanted = false;
   for (size_t lane = 0; lane < meetings.size(); ++lane) {
     const FoundFibres& found = *meetings[lane].found;
-    const ClothVolume::PlaceInVoxel place = placeOfAxis(meetings[lane], lane);
     Met& met = met_[lane];
     met = {found.cell, found.component, found.slot};
     if (const auto look = static_cast<int>(takenLook_[lane]); look >= 0) {
       const FoundLanes& there = looks_->found;
-      met = {place.cell, there.component[static_cast<size_t>(look)], there.slot[static_cast<size_t>(look)]};
+      const auto i = static_cast<size_t>(look);
+      met = {lookPlaces_[i].cell, there.component[i], there.slot[i]};
     }
-    if (met.component == FoundLanes::kSeveral) wantChoice(meetings[lane], lane, place);
+    if (met.component != FoundLanes::kSeveral) continue;
+    wantChoice(meetings[lane], lane, placeOfAxis(meetings[lane], lane));
+    anyWanted = true;
   }
+  if (!anyWanted) return;
   chooseComponents(walker_.field(), *choices_);
   for (size_t lane = 0; lane < meetings.size(); ++lane) {
     if (choices_->wanted[lane] == 0) continue;
@@ -252,7 +253,7 @@ void LoomlightMeetings::wantChoice(const Meeting& meeting, size_t lane, const Cl
   putPastSegments(choices.known, lane, known, light);
   putBefore(choices.known.before, lane, known.before, before);
   put(choices.known.before.axis_mm, lane, found.inCell_mm + before.toAxis_mm);
-  choices.middle[lane] = found.toMiddle_mm;
+  choices.middle_mm[lane] = found.toMiddle_mm;
 }
 
 /// Takes the component that a meeting is with.

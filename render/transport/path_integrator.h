@@ -65,7 +65,7 @@ class PathIntegrator {
     std::array<float, kOffsets> offsets{};  ///< across the fibre, where the path may as well have met it
     uint32_t count = 0;                     ///< of them
   };
-  /// What fibres send on of the light of eight.
+  /// What fibres send on of the light of eight queries, side by side.
   struct LightResponses;
   /// A lamp's light on its way to a path, unless it is in shadow.
   struct PendingLight {

@@ -96,21 +96,29 @@ class Choice {
   Whole component_, slot_;
 };
 
+/// What of a component counts when one is chosen.
+HWY_INLINE Real weightOf(const WalkField& field, const Places& places, const KnownInVoxels& known, Mask holds,
+                         const FibreLanes& fibres, const VoxelLanes::Taken& taken) {
+  // Of a component that flights before leave nothing of, so that one is chosen all the same.
+  const Real leastShare(1e-6f);
+  if (field.byDensity) return fibres.lengthDensity;
+  Real weight = extinctionOf(field, holds, fibres, places.direction(), taken.radius);
+  if (field.boxes) weight = weight * places.crowding(holds, fibres);
+  if (field.hotSpot) weight = weight * most(leastShare, known.shareLeft(holds, fibres, taken));
+  return weight;
+}
+
 void chooseLanes(const WalkField& field, ChoiceLanes& lanes) {
   const Vector size{Real(field.size_mm[0]), Real(field.size_mm[1]), Real(field.size_mm[2])};
-  const Real least(1e-6f);  // where flights of before leave nothing
   for (size_t lane = 0; lane < kWalkLanes; lane += hn::Lanes(RealTag())) {
     const Places places(field, lanes, lane);
     if (!places.anyWanted()) continue;
-    const Vector direction = places.direction();
-    const KnownInVoxels known{lanes.known, lane, direction * Real::of(&lanes.middle[lane]), places.voxel(), size};
+    const Vector onRay = places.direction() * Real::of(&lanes.middle_mm[lane]);
+    const KnownInVoxels known{lanes.known, lane, onRay, places.voxel(), size};
     Choice choice(Real::of(&lanes.u[lane]));
     const auto add = [&](Mask holds, Whole component, const FibreLanes& fibres, const VoxelLanes::Taken& taken)
                          HWY_ATTR {
-                           Real weight = field.byDensity ? orZero(holds, fibres.lengthDensity)
-                                                         : extinctionOf(field, holds, fibres, direction, taken.radius);
-                           if (field.boxes) weight = weight * places.crowding(holds, fibres);
-                           if (field.hotSpot) weight = weight * most(least, known.shareLeft(holds, fibres, taken));
+                           const Real weight = weightOf(field, places, known, holds, fibres, taken);
                            choice.add(holds, component, taken.slot, weight);
                          };
     places.forEachComponent(add);

@@ -153,13 +153,14 @@ void look(const WalkField& field, LookLanes& lanes);
 /// Chooses the component that each ray meets, among those at its place.
 struct ChoiceLanes : VoxelPlaceLanes {
   LaneFloats u;              ///< in [0, 1)
-  KnownLanes known;          ///< with t = 0 where `middle` is counted from
-  LaneFloats middle;         ///< of the ray in the voxel
+  KnownLanes known;          ///< with t = 0 at the light
+  LaneFloats middle_mm;      ///< along the ray, from the light to the middle of its way through the voxel
   LaneInts component, slot;  ///< as FoundLanes'; kNone where the voxel is empty
 };
 
-/// In proportion to what counts of their extinction, with WalkField::hotSpot only as much as `known` leaves. Where that
-/// is nothing of all that are there, it is one of them all the same. Cost: about one step of walk().
+/// In proportion to their extinction at the place (WalkField::boxes), with hotSpot only as much of it as `known`
+/// leaves; with byDensity to their density alone. Where nothing counts, it is one of them all the same. Cost: about one
+/// step of walk().
 void chooseComponents(const WalkField& field, ChoiceLanes& lanes);
 
 }  // namespace loomlight

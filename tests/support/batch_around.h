@@ -14,8 +14,8 @@ class BatchAround : public MediumBatch {
                TraceCounts& counts) override {
     for (size_t i = 0; i < pathRays.size(); ++i) met[i] = fly(pathRays[i], counts);
   }
-  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
-    batch_->leave(path, met, wi, inside);
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float length_radii) override {
+    batch_->leave(path, met, wi, length_radii);
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override { batch_->transmit(rays, counts); }
   size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {

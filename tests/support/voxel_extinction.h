@@ -79,18 +79,16 @@ inline bool hasSeveralComponents(const VoxelContent& content) {
 /// The component that a collision is with, of a voxel with content, in proportion to what counts of extinction; u in
 /// [0, 1). EventLaw::report chooses by density alone (Eq. 12), which is biased where components are seen at different
 /// angles.
-template <class Share = WholeExtinction>
-VoxelFibres chooseComponent(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape,
-                            glm::vec3 direction, float u, EventLaw law, const Share& share = {}) {
+inline VoxelFibres chooseComponent(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape,
+                                   glm::vec3 direction, float u, EventLaw law) {
   int chosen = 0;
   if (hasSeveralComponents(content)) {
     std::array<float, 2 * VoxelContent::kMaxSpans> weights;
     int count = 0;
     float sum = 0;
     forEachComponent(yarns, content, drape, [&](const VoxelFibres& component) {
-      const float weight = law == EventLaw::report
-                               ? component.fibres.lengthDensity
-                               : extinction(component.fibres, *component.optics, direction) * share(component);
+      const float weight = law == EventLaw::report ? component.fibres.lengthDensity
+                                                   : extinction(component.fibres, *component.optics, direction);
       weights[count++] = weight;
       sum += weight;
     });

@@ -26,7 +26,7 @@ HairLie hairLieOf(const Fabric& fabric, System system);
 /// smooth; it does nothing to a fibre of another section. Neither fineness nor dye change.
 Fibre withFinishedSurface(Fibre fibre, const Fabric& fabric);
 
-// How loose fibres lie, one by one (core/geometry/yarn/flyaways.h) as in the mean:
+// Used both where loose fibres are laid (core/geometry/yarn/flyaways.cpp) and for their mean length below:
 inline constexpr double kHairLoopShare = 0.4;    ///< of them, so many rise and come back
 inline constexpr double kHairLoopReach = 0.4;    ///< how far a loop reaches, over the reach of an end
 inline constexpr double kLyingHairLength = 2.5;  ///< of an end that lies, over one that stands

@@ -134,11 +134,11 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
       way->collide({&pathRay, 1}, {&met, 1}, counts);
       if (!met) break;
       const glm::vec3 anywhere = onUnitSphere(random);
-      const float inside = static_cast<float>(random.below(3)) * traverse(*scene->cloth, *met);
-      way->leave(0, *met, anywhere, inside);
+      const float length_radii = static_cast<float>(random.below(3)) * traverse(*scene->cloth, *met);
+      way->leave(0, *met, anywhere, length_radii);
       comparison.add(*way, event, anywhere, false);
       const glm::vec3 back = glm::normalize(0.3f * onUnitSphere(random) - direction);
-      way->leave(0, *met, back, inside);
+      way->leave(0, *met, back, length_radii);
       comparison.add(*way, event, back, true);
       const FibreFrame frame(met->tangent);
       const auto scattered = bcsdf.sample(frame.toLocal(-direction), met->offset, random);

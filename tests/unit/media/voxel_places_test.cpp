@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/base/units.h"
 #include "render/media/known_lanes.h"
@@ -14,9 +14,9 @@ class CrossedVoxel {
  public:
   static constexpr float kDensity = 1000, kRadius_mm = 0.006f;
 
-  /// Where the weft lies; the warp is all over it.
-  explicit CrossedVoxel(VoxelBox weft = {}) {
-    components_[0] = Component::encode({{0, 1, 0}, 0.0f, kDensity});
+  /// Where they lie in it.
+  explicit CrossedVoxel(VoxelBox weft = {}, VoxelBox warp = {}) {
+    components_[0] = Component::encode({{0, 1, 0}, 0.0f, kDensity}).within(warp);
     components_[1] = Component::encode({{1, 0, 0}, 0.0f, kDensity}).within(weft);
     for (uint32_t i = 0; i < 2; ++i) blocks_[i] = {.occupied = 1, .second = 0, .first = i};
     field.blocks = blocks_.data();
@@ -26,7 +26,7 @@ class CrossedVoxel {
 
   WalkField field;
 
-  /// Fills in a lane's place; of the bricks only those that count.
+  /// Fills in a lane's place; the first `bricks` from that one on.
   void put(VoxelPlaceLanes& lanes, size_t lane, glm::vec3 direction, int firstBrick = 0, int bricks = 2) const {
     lanes.wanted[lane] = 1;
     loomlight::put(lanes.direction, lane, direction);
@@ -141,12 +141,42 @@ TEST(Choices, LeaveOutTheFibreThatTheLightLastLeft) {
                   .radius_mm = CrossedVoxel::kRadius_mm,
                   .yarnId = {System::warp, 7}};
   EXPECT_NEAR(voxel.shareOfWarp({0, 0, 1}, known), 0.5, 0.005) << "one fibre in a thousand";
-  // The lower the voxel, the more of its warp is that fibre: here half of it.
+  // The narrower the voxel, the more of its warp is that fibre: here half of it.
   voxel.field.size_mm[0] = voxel.field.size_mm[2] = std::sqrt(2 / CrossedVoxel::kDensity);
   known.before.axis = 0.5f * glm::vec3(voxel.field.size_mm[0], 1, voxel.field.size_mm[2]);
   EXPECT_NEAR(voxel.shareOfWarp({0, 0, 1}, known), 0.5 / (1 + 0.5), 0.005);
   known.before.yarnId.index = 8;
   EXPECT_NEAR(voxel.shareOfWarp({0, 0, 1}, known), 0.5, 0.005) << "of another end";
+}
+
+TEST(Choices, AreOfOneOfThemWhereNothingCounts) {
+  const auto below = VoxelBox::nearest(Float32x4{}, Float32x4{1, 1, 2.0f / 7, 1});
+  const CrossedVoxel voxel(below, below);
+  ChoiceLanes choices{};
+  constexpr std::array<float, 3> kNumbers{0.0f, 0.5f, 0x1.fffffep-1f};  // the last is the largest below 1
+  for (size_t lane = 0; lane < kNumbers.size(); ++lane) {
+    voxel.put(choices, lane, {0, 0, -1});
+    choices.u[lane] = kNumbers[lane];
+  }
+  constexpr size_t kEmpty = 3;
+  voxel.put(choices, kEmpty, {0, 0, -1});
+  put(choices.voxel, kEmpty, {1, 0, 0});
+  chooseComponents(voxel.field, choices);
+  for (size_t lane = 0; lane < kNumbers.size(); ++lane)
+    EXPECT_TRUE(choices.component[lane] == 0 || choices.component[lane] == 1) << kNumbers[lane];
+  EXPECT_EQ(choices.component[kEmpty], FoundLanes::kNone);
+}
+
+TEST(Choices, OfWhatCountsNoneIsLeftOutByAnyNumber) {
+  // Whatever the number, what lies elsewhere in the voxel is never met.
+  const CrossedVoxel voxel(VoxelBox::nearest(Float32x4{}, Float32x4{1, 1, 2.0f / 7, 1}));
+  ChoiceLanes choices{};
+  for (size_t lane = 0; lane < kWalkLanes; ++lane) {
+    voxel.put(choices, lane, {0, 0, -1});
+    choices.u[lane] = 1 - std::exp2(-2.0f * static_cast<float>(lane));  // ... 1 - 2^-24, then 1 itself, by rounding
+  }
+  chooseComponents(voxel.field, choices);
+  for (size_t lane = 0; lane < kWalkLanes; ++lane) EXPECT_EQ(choices.component[lane], 0) << lane;
 }
 
 TEST(Looks, FindTheProjectedAreaOfFibres) {
