@@ -15,6 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace loomlight::HWY_NAMESPACE {
 
+using Taken = VoxelLanes::Taken;
+
 /// As many places as a register holds.
 class Places {
  public:
@@ -29,11 +31,11 @@ class Places {
   HWY_INLINE Vector direction() const { return vectorOf(lanes_.direction, lane_); }
   const Whole (&voxel() const)[3] { return voxel_; }
 
-  /// Calls visit(which places, numbers of their components, FibreLanes, VoxelLanes::Taken) for all that the voxels
+  /// Calls visit(which places, numbers of their components, FibreLanes, Taken) for all that the voxels
   /// hold.
   template <class Visit>
   HWY_INLINE void forEachComponent(const Visit& visit) const {
-    const auto decoded = [&](Mask holds, Whole component, const VoxelLanes::Taken& taken) HWY_ATTR {
+    const auto decoded = [&](Mask holds, Whole component, const Taken& taken) HWY_ATTR {
       visit(holds, component, fibresOf(field_, lanes_, lane_, holds, component), taken);
     };
     VoxelLanes voxels(field_, lanes_.cell, lane_);
@@ -59,8 +61,7 @@ void lookLanes(const WalkField& field, LookLanes& lanes) {
     if (!places.anyWanted()) continue;
     const Vector direction = places.direction();
     Contents found;
-    const auto add = [&](Mask holds, Whole component, const FibreLanes& fibres,
-                         const VoxelLanes::Taken& taken) HWY_ATTR {
+    const auto add = [&](Mask holds, Whole component, const FibreLanes& fibres, const Taken& taken) HWY_ATTR {
       const Real crowding = places.crowding(holds, fibres);
       const Mask there = holds & (Real(0.0f) < crowding);
       found.add(there, component, taken.slot, crowding * extinctionOf(field, there, fibres, direction, taken.radius));
@@ -98,8 +99,8 @@ class Choice {
 
 /// What of a component counts when one is chosen.
 HWY_INLINE Real weightOf(const WalkField& field, const Places& places, const KnownInVoxels& known, Mask holds,
-                         const FibreLanes& fibres, const VoxelLanes::Taken& taken) {
-  // Of a component that flights before leave nothing of, so that one is chosen all the same.
+                         const FibreLanes& fibres, const Taken& taken) {
+  // More than nothing, because one is chosen even where flights before have seen that none of them is there.
   const Real leastShare(1e-6f);
   if (field.byDensity) return fibres.lengthDensity;
   Real weight = extinctionOf(field, holds, fibres, places.direction(), taken.radius);
@@ -116,11 +117,10 @@ void chooseLanes(const WalkField& field, ChoiceLanes& lanes) {
     const Vector onRay = places.direction() * Real::of(&lanes.middle_mm[lane]);
     const KnownInVoxels known{lanes.known, lane, onRay, places.voxel(), size};
     Choice choice(Real::of(&lanes.u[lane]));
-    const auto add = [&](Mask holds, Whole component, const FibreLanes& fibres, const VoxelLanes::Taken& taken)
-                         HWY_ATTR {
-                           const Real weight = weightOf(field, places, known, holds, fibres, taken);
-                           choice.add(holds, component, taken.slot, weight);
-                         };
+    const auto add = [&](Mask holds, Whole component, const FibreLanes& fibres, const Taken& taken) HWY_ATTR {
+      const Real weight = weightOf(field, places, known, holds, fibres, taken);
+      choice.add(holds, component, taken.slot, weight);
+    };
     places.forEachComponent(add);
     choice.to(lanes, lane);
   }

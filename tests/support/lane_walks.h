@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +85,21 @@ inline Rays raysOf(const Scene& scene, const LoomlightMedium& medium, int paths)
     }
   }
   return all;
+}
+
+/// Does it by each instruction set that this machine has and lanes are compiled for.
+template <class Visit>
+void onEveryInstructionSet(const Visit& visit) {
+  const auto choose = [](int64_t targets) {
+    hwy::SetSupportedTargetsForTest(targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  };
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    choose(target);
+    visit();
+  }
+  choose(0);
 }
 
 /// A cloth through which lanes walk.

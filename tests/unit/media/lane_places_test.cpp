@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <map>
@@ -76,16 +75,24 @@ bool isAmong(const VoxelContent& content, const Component* wanted, YarnId yarn) 
   return false;
 }
 
+/// A place of the voxel in which a ray has found something.
+void wantPlace(FoundByPaths& walked, const FoundFibres& found, glm::vec3 inVoxel, VoxelPlaceLanes& lanes, size_t lane) {
+  lanes.wanted[lane] = 1;
+  put(lanes.direction, lane, walked.all.rays[found.ray].direction);
+  put(lanes.voxel, lane, found.voxel);
+  put(lanes.inVoxel, lane, inVoxel);
+  for (int column = 0; column < 3; ++column) put(lanes.frame[column], lane, found.drape.frame[column]);
+  lanes.densityScale[lane] = found.drape.densityScale;
+  walked.walker.cells().fill(found.cell, lanes.cell, lane);
+}
+
 // Who looks at a place finds the components in whose boxes it is, on every instruction set.
 TEST_P(LanePlaces, LooksFindWhatIsAtAPlace) {
   const auto scene = this->scene();
   const TraceData& cloth = *scene->cloth;
   FoundByPaths walked(*scene);
   auto& [medium, all, walker, ends] = walked;
-  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  test::onEveryInstructionSet([&] {
     Random random(21);
     size_t found = 0, nothing = 0;
     for (size_t first = 0; first + kWalkLanes <= ends.found().size(); first += kWalkLanes) {
@@ -95,15 +102,7 @@ TEST_P(LanePlaces, LooksFindWhatIsAtAPlace) {
       for (size_t lane = 0; lane < kWalkLanes; ++lane) {
         const FoundFibres& ray = foundIn(lane);
         places[lane] = {random.uniform(), random.uniform(), random.uniform()};
-        looks.wanted[lane] = 1;
-        for (int axis = 0; axis < 3; ++axis) {
-          looks.direction[axis][lane] = all.rays[ray.ray].direction[axis];
-          looks.voxel[axis][lane] = ray.voxel[axis];
-          looks.inVoxel[axis][lane] = places[lane][axis];
-          for (int column = 0; column < 3; ++column) looks.frame[column][axis][lane] = ray.drape.frame[column][axis];
-        }
-        looks.densityScale[lane] = ray.drape.densityScale;
-        walker.cells().fill(ray.cell, looks.cell, lane);
+        wantPlace(walked, ray, places[lane], looks, lane);
       }
       look(walker.field(), looks);
       for (size_t lane = 0; lane < kWalkLanes; ++lane) {
@@ -128,9 +127,7 @@ TEST_P(LanePlaces, LooksFindWhatIsAtAPlace) {
     }
     EXPECT_GT(found, 100u);
     EXPECT_GT(nothing, 0u);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  });
 }
 
 /// Of a ray that has found several components, the one that it meets at a place of their voxel, drawn with u.
@@ -138,14 +135,8 @@ void wantChoice(FoundByPaths& walked, const TraceData& cloth, const FoundFibres&
                 ChoiceLanes& choices, size_t lane) {
   const DepthRay& ray = walked.all.rays[found.ray];
   const glm::vec3 light = ray.from.world + found.t_mm * ray.direction;
-  choices.wanted[lane] = 1;
+  wantPlace(walked, found, inVoxel, choices, lane);
   choices.u[lane] = u;
-  put(choices.direction, lane, ray.direction);
-  put(choices.voxel, lane, found.voxel);
-  put(choices.inVoxel, lane, inVoxel);
-  for (int column = 0; column < 3; ++column) put(choices.frame[column], lane, found.drape.frame[column]);
-  choices.densityScale[lane] = found.drape.densityScale;
-  walked.walker.cells().fill(found.cell, choices.cell, lane);
   const FibreInCloth before(ray.known->before, light, *cloth.shell, found.tet);
   putPastSegments(choices.known, lane, *ray.known, light);
   putBefore(choices.known.before, lane, ray.known->before, before);
@@ -245,10 +236,7 @@ TEST_P(LanePlaces, ChoicesAreTheSameInAnyCompanyAndOfAnyWidth) {
   ASSERT_EQ(count, kWalkLanes);
   ChoiceLanes first = together;
   chooseComponents(walked.walker.field(), first);
-  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  test::onEveryInstructionSet([&] {
     ChoiceLanes again = together;
     chooseComponents(walked.walker.field(), again);
     EXPECT_EQ(again.component, first.component);
@@ -261,9 +249,7 @@ TEST_P(LanePlaces, ChoicesAreTheSameInAnyCompanyAndOfAnyWidth) {
       EXPECT_EQ(alone.component[lane], first.component[lane]);
       EXPECT_EQ(alone.slot[lane], first.slot[lane]);
     }
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Cloths, LanePlaces, testing::ValuesIn(test::laneCloths()),

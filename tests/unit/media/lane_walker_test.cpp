@@ -1,7 +1,6 @@
 #include "render/media/lane_walker.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <vector>
 
@@ -73,15 +72,10 @@ TEST_P(LaneWalks, AreTheSameInAnyCompanyAndOfAnyWidth) {
     walker.walk({&all.rays[i], 1}, alone);
     expectSame(alone.ends()[0], expected[i]);
   }
-  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  test::onEveryInstructionSet([&] {
     const std::vector<WalkEnd> ends = together();
     for (size_t i = 0; i < ends.size(); ++i) expectSame(ends[i], expected[i]);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Cloths, LaneWalks, testing::ValuesIn(test::laneCloths()),
