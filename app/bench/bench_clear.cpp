@@ -31,6 +31,7 @@ constexpr ClearExtent kQuickClear{160, 100, 64, 2};
 const std::vector<double> kTimes_s{0.3, 1, 3, 10};
 constexpr double kClear[] = {0.10, 0.05, 0.03};
 constexpr double kDragInterval_s = 0.05;
+constexpr int kLargestSide_px = 4096;  // a window's
 
 void expectKnown(const std::vector<std::string>& names) {
   const std::vector<std::string> known = clearNames();
@@ -43,6 +44,13 @@ std::string secondsText(double seconds) {
   return std::isfinite(seconds) ? fmt::format("{:.2f}", seconds) : "-";
 }
 
+void expectRoomForWindows(const ClearExtent& extent) {
+  const auto [least, most] = std::minmax(extent.width, extent.height);
+  if (least < kLeastClearSide_px || most > kLargestSide_px)
+    throw InputError(fmt::format("--size: expected {0}x{0}, in which nine windows find room, to {1}x{1}, got {2}x{3}",
+                                 kLeastClearSide_px, kLargestSide_px, extent.width, extent.height));
+}
+
 class ClearBench {
  public:
   ClearBench(const ClearBenchCommand& command, Task task)
@@ -50,6 +58,11 @@ class ClearBench {
         extent_(command.quick ? kQuickClear : kFullClear),
         task_(std::move(task)),
         page_(command.folder, "clear", "From an edit to a clear picture") {
+    if (command.width > 0) {
+      extent_.width = command.width;
+      extent_.height = command.height;
+    }
+    expectRoomForWindows(extent_);
     if (command.seconds > 0) extent_.seconds = command.seconds;
     if (command.referenceSamples > 0) extent_.referenceSamples = static_cast<uint32_t>(command.referenceSamples);
   }

@@ -14,6 +14,7 @@ struct ClearBenchCommand {
   bool pictures = false;            ///< also writes what was shown at some times
   std::vector<std::string> only{};  ///< names of cloths, drapes, lights and edits; see ClearChoice
   Sharing sharing = Sharing::both;  ///< whether light is shared between repeats
+  int width = 0, height = 0;        ///< of the pictures, pixels; 0: as the extent has it
   double seconds = 0;               ///< that each edit is looked at; 0: as the extent has it
   int referenceSamples = 0;         ///< of the converged pictures; 0: as the extent has it
   int threads = 0;                  ///< 0: as in the window, all

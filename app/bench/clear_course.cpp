@@ -26,8 +26,8 @@ constexpr int kAcross = 3;  // windows each way
 /// A twentieth of the picture each way, at least as large as an eye blurs: few pixels, so that many samples are cheap.
 /// A reference that is noisy itself is far from every clear picture.
 std::vector<PixelRect> windowsIn(int width, int height) {
-  constexpr int kLeast = 16;
-  const int w = std::max(kLeast, width / 20), h = std::max(kLeast, height / 20);
+  constexpr int kLeast_px = kLeastClearSide_px / kAcross;
+  const int w = std::max(kLeast_px, width / 20), h = std::max(kLeast_px, height / 20);
   std::vector<PixelRect> windows;
   for (int row = 0; row < kAcross; ++row)
     for (int column = 0; column < kAcross; ++column)

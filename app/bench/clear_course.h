@@ -25,6 +25,9 @@ struct ClearCourse {
   double worstStepBack() const;
 };
 
+/// A picture's least side: three windows find room in it, each as large as an eye blurs.
+constexpr int kLeastClearSide_px = 48;
+
 /// How a picture is traced that others are compared with.
 struct ClearReferenceTask {
   int width = 0, height = 0;

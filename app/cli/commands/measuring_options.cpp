@@ -77,6 +77,11 @@ void addClearBench(CLI::App& app, ClearBenchCommand& command) {
   app.add_option("--only", command.only, "of cloths, drapes, lights or edits these, with commas between them")
       ->type_name("NAME,...")
       ->delimiter(',');
+  addValue(app, "--size", "WxH", "pixels; 640x400 where not given", [&command](const auto& option, const auto& text) {
+    const PictureSize size = parseSize(option, text);
+    command.width = size.width;
+    command.height = size.height;
+  });
   addValue(app, "--share", "on|off|both", "light between repeats; both where not given",
            [&command](const auto& option, const auto& text) { command.sharing = parseSharing(option, text); });
   addValue(

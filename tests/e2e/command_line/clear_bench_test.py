@@ -32,6 +32,16 @@ class ClearBench(CommandLineTest):
         for row in self.rows("clear.csv"):
             self.assertGreater(float(row["first picture, s"]), 0.001)
 
+    def test_size(self):
+        self.run_program("bench", "clear", "--quick", "--only", "open", "--seconds", "0.001", "--share", "on",
+                         "--size", "48x64", "-o", "out")
+        self.assertIn("Pictures of 48 x 64", (self.folder / "out/clear.md").read_text())
+        self.assertGreater(len(self.rows("clear_course.csv")), 0)
+
+    def test_size_that_has_no_room_for_windows(self):
+        said = self.run_program("bench", "clear", "--quick", "--size", "640x47", status=1)
+        self.assertIn("--size: expected 48x48, in which nine windows find room, to 4096x4096, got 640x47", said)
+
     def test_unknown_name(self):
         said = self.run_program("bench", "clear", "--quick", "--only", "velvet", status=1)
         self.assertIn("velvet", said)
