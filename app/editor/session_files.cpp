@@ -214,8 +214,7 @@ void Session::opened(FileService::Result result) {
 }
 
 void Session::takeUp(Fabric fabric, const std::string& left) {
-  startOver(Document(sampleFabric()));  // not into a file that was just opened
-  document_.edit(std::move(fabric));
+  startOver(Document::unsaved(std::move(fabric)));  // not into a file that was just opened
   document_.takeOver(left);
 }
 

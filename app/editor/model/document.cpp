@@ -70,6 +70,13 @@ Document::Document(Fabric fabric, std::string file, size_t mostBytes) : mostByte
   look();
 }
 
+Document Document::unsaved(Fabric fabric) {
+  Document document(std::move(fabric));
+  document.savedState_ = document.nextId_++;  // which no state will ever have
+  document.revision_ = 1;                     // as after an edit: a copy of it is to be kept
+  return document;
+}
+
 void Document::push(Step step) {
   step.bytes = ownBytes(*step.fabric, steps_.empty() ? nullptr : steps_.back().fabric.get());
   bytes_ += step.bytes;

@@ -30,6 +30,8 @@ class Document {
   /// `mostBytes`: of old values; beyond that the oldest go.
   explicit Document(Fabric fabric, std::string file = {},
                     size_t mostBytes = memoryForUndo_bytes(physicalMemory_bytes()));
+  /// Work that is in no file: there is nothing before it that undo could return to, and it is dirty until it is saved.
+  static Document unsaved(Fabric fabric);
 
   /// As it is looked at: under the lamp that it is judged by.
   const std::shared_ptr<const Fabric>& fabric() const { return seen_; }

@@ -128,6 +128,9 @@ TEST_F(UnsavedWork, IsTakenUpThatAKilledEditorLeft) {
   editor.key("Return");
   editor.until("it is taken up", [&] { return editor.fact("dirty") == "yes" && editor.fact("name") == "Two"; });
   EXPECT_EQ(editor.fact("file"), "") << "it would be saved into a file that was not its own";
+  editor.key("ctrl+z");
+  EXPECT_EQ(editor.fact("name"), "Two") << "the only copy of it is gone by a key";
+  EXPECT_EQ(editor.fact("dirty"), "yes");
   const std::string again = editor.homeFile("again.json");
   editor.key("ctrl+s");
   editor.nameFile(again);

@@ -38,6 +38,22 @@ TEST(Document, AnEditAfterUndoForgetsWhatWasUndone) {
   EXPECT_EQ(document.fabric()->name, "first");
 }
 
+/// Work that a killed editor left, say: a key too many must not lead back to something that nobody asks about.
+TEST(Document, UnsavedWorkStaysUnsavedHoweverFarItIsUndone) {
+  Document document = Document::unsaved(named("left"));
+  EXPECT_TRUE(document.isDirty());
+  EXPECT_NE(document.revision(), Document(named("left")).revision()) << "no copy of it would be kept";
+  document.undo();
+  EXPECT_EQ(document.fabric()->name, "left");
+  document.edit(named("a"), 1);
+  EXPECT_TRUE(document.isDirty());
+  document.undo();
+  EXPECT_EQ(document.fabric()->name, "left");
+  EXPECT_TRUE(document.isDirty());
+  document.savedAs("left.json", document.state());
+  EXPECT_FALSE(document.isDirty());
+}
+
 TEST(Document, LookingAroundIsNoWorkAndSurvivesUndo) {
   Document document(named("first"));
   Camera camera;
