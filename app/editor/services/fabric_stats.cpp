@@ -139,7 +139,8 @@ FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
       !none.empty())
     stats->warnings.push_back(std::move(none));
   if (request.built)
-    stats->section = yarnSection(request.built->cloth->volume->geometry(), *request.fabric, yarn);
+    // Its own fabric: the back of a cloth has its ends in the opposite order.
+    stats->section = yarnSection(request.built->cloth->volume->geometry(), *request.built->fabric, yarn);
   else if (last_ && last_->yarn == yarn)
     stats->section = last_->section;  // until the cloth is built
   else

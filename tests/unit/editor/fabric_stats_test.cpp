@@ -7,6 +7,7 @@
 
 #include "app/editor/controllers/status_model.h"
 #include "app/editor/model/sample_fabric.h"
+#include "core/fabric/weave/turned_over.h"
 #include "tests/support/wakes.h"
 
 namespace loomlight {
@@ -95,6 +96,28 @@ TEST(FabricStatsWorker, TheSectionIsThatOfTheClothThatWasBuilt) {
   EXPECT_EQ(worker.newest()->section->points.size(), points) << "as it was, until the cloth is built";
   worker.request(next, 0, makeScene(next, Task{}, scene.get()));
   EXPECT_TRUE(wakes.until([&] { return worker.newest()->section->points.size() > points; }));
+}
+
+/// The back of a cloth has its ends in the opposite order: its first is another yarn.
+TEST(FabricStatsWorker, TheSectionIsOfTheSameYarnFromTheBack) {
+  Fabric fabric = sampleFabric();
+  fabric.yarns[0].hairiness_per_mm = 0;
+  fabric.yarns[0].plies = 2;
+  fabric.yarns[0].fibresPerPly = 20;
+  const int thicker = static_cast<int>(fabric.yarns.size());
+  fabric.yarns.push_back(fabric.yarns[0]);
+  fabric.yarns.back().fibresPerPly = 60;
+  fabric.weave = Weave({{1, 0, 1, 0}, {0, 1, 0, 1}});
+  fabric.draft.reset();
+  fabric.warpSequence = {0, 0, 0, thicker};
+  const auto front = std::make_shared<const Fabric>(fabric);
+  for (const auto& seen : {front, std::make_shared<const Fabric>(turnedOver(fabric))}) {
+    Wakes wakes;
+    FabricStatsWorker worker(wakes.callback());
+    worker.request(front, 0, makeScene(seen, Task{}));
+    ASSERT_TRUE(wakes.until([&] { return worker.newest() && worker.newest()->section; }));
+    EXPECT_EQ(worker.newest()->section->points.size(), 2u * 20u);
+  }
 }
 
 /// Peirce's formula knows nothing of how yarns lie; it is the geometry that is asked.
