@@ -2,21 +2,24 @@
 
 #include <utility>
 
-#include "core/base/error.h"
 #include "ui/words/error_words.h"
 
 namespace loomlight {
 
-ProfileController::ProfileController(DisplayColours colours, const std::function<void()>& wake)
+ProfileController::ProfileController(DisplayColours colours, const std::function<void()>& wake, const ReadFile& read)
     : colours_(std::move(colours)),
-      keptSystem_(worker(wake)),
-      keptDisplay_(worker(wake)),
-      keptPrinter_(worker(wake)),
-      chosen_(worker(wake)) {}
+      keptSystem_(worker(wake, read)),
+      keptDisplay_(worker(wake, read)),
+      keptPrinter_(worker(wake, read)),
+      chosen_(worker(wake, read)) {}
 
-Worker<ProfileController::Source, ProfileController::Read> ProfileController::worker(
-    const std::function<void()>& wake) {
-  return {wake, [](const Source& source, const auto&) -> std::optional<Read> { return read(source); },
+Worker<ProfileController::Source, ProfileController::Read> ProfileController::worker(const std::function<void()>& wake,
+                                                                                     const ReadFile& read) {
+  return {wake,
+          [read](const Source& source, const auto&) -> std::optional<Read> {
+            return cubeOf(source, source.file.empty() ? iccProfile(source.bytes, words::errors::systemProfile)
+                                                      : read(source.file));
+          },
           [](const Source& source, const std::string& problem) { return Read{source, {}, {}, problem}; },
           Backlog::hanging};
 }
@@ -31,16 +34,10 @@ void ProfileController::open(const std::string& file) {
   chosen_.ask({file, ""});
 }
 
-ProfileController::Read ProfileController::read(const Source& source) {
-  try {
-    const IccProfile profile =
-        source.file.empty() ? iccProfile(source.bytes, words::errors::systemProfile) : readIccProfile(source.file);
-    const bool isDisplay = profile.device == IccProfile::Device::display;
-    auto cube = std::make_shared<const ColourCube>(isDisplay ? loomlight::displayCube(profile) : proofCube(profile));
-    return {source, profile.device, {profile.description, std::move(cube)}, {}};
-  } catch (const InputError& error) {
-    return {source, {}, {}, error.what()};
-  }
+ProfileController::Read ProfileController::cubeOf(const Source& source, const IccProfile& profile) {
+  const bool isDisplay = profile.device == IccProfile::Device::display;
+  auto cube = std::make_shared<const ColourCube>(isDisplay ? loomlight::displayCube(profile) : proofCube(profile));
+  return {source, profile.device, {profile.description, std::move(cube)}, {}};
 }
 
 std::optional<std::string> ProfileController::follow() {
@@ -53,18 +50,24 @@ std::optional<std::string> ProfileController::follow() {
   return std::nullopt;
 }
 
-/// `wanted`: just now, not in a session before.
+/// `wanted`: just now, not in a session before. What was kept of its kind and is still being read comes too late then.
 void ProfileController::use(Read read, bool wanted) {
   if (read.source.file.empty()) {
     system_ = std::move(read.profile);
   } else if (read.device == IccProfile::Device::display) {
     display_ = std::move(read.profile);
     colours_.displayFile = read.source.file;
-    if (wanted) colours_.source = DisplayColours::Source::file;
+    if (wanted) {
+      colours_.source = DisplayColours::Source::file;
+      keptDisplay_.forget();
+    }
   } else {
     printer_ = std::move(read.profile);
     colours_.printerFile = read.source.file;
-    if (wanted) colours_.proofs = true;
+    if (wanted) {
+      colours_.proofs = true;
+      keptPrinter_.forget();
+    }
   }
 }
 

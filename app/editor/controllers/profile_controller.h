@@ -16,8 +16,10 @@ namespace loomlight {
 /// where one cannot be read, colours stay as they were.
 class ProfileController {
  public:
+  /// May take its time, on a thread of its own, and throw.
+  using ReadFile = std::function<IccProfile(const std::string& file)>;
   /// `wake` is called when one has been read.
-  ProfileController(DisplayColours colours, const std::function<void()>& wake);
+  ProfileController(DisplayColours colours, const std::function<void()>& wake, const ReadFile& read = readIccProfile);
 
   /// Begins to read those that were chosen before. `system`: what the window system says of its display; may be empty.
   void start(std::string system);
@@ -50,8 +52,8 @@ class ProfileController {
     Profile profile;
     std::string problem;
   };
-  static Worker<Source, Read> worker(const std::function<void()>& wake);
-  static Read read(const Source& source);
+  static Worker<Source, Read> worker(const std::function<void()>& wake, const ReadFile& read);
+  static Read cubeOf(const Source& source, const IccProfile& profile);
   void use(Read read, bool wanted);
 
   DisplayColours colours_;

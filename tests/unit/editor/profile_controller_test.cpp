@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <latch>
 
 #include "tests/support/colour_profiles.h"
 #include "tests/support/scratch_folder.h"
@@ -117,6 +118,27 @@ TEST_F(ProfileControllerTest, WhatCannotBeUsedIsSaidAndChangesNothing) {
   EXPECT_EQ(profiles.displayCube(), nullptr);
   EXPECT_EQ(profiles.colours().source, Source::system);
   EXPECT_EQ(profiles.colours().displayFile, "");
+}
+
+/// A kept profile may lie on a disk that has gone to sleep.
+TEST_F(ProfileControllerTest, WhatIsChosenStaysThoughWhatWasKeptIsReadLater) {
+  DisplayColours kept;
+  kept.displayFile = fileOf("kept.icc", wideDisplay());
+  kept.printerFile = fileOf("kept paper.icc", test::palePrinterProfile());
+  std::latch awake(1);
+  ProfileController profiles(kept, wakes.callback(), [&](const std::string& file) {
+    if (file == kept.displayFile || file == kept.printerFile) awake.wait();
+    return readIccProfile(file);
+  });
+  profiles.start("");
+  const std::string display = fileOf("mine.icc", wideDisplay());
+  profiles.open(display);
+  EXPECT_EQ(until(profiles, [&] { return profiles.displayCube() != nullptr; }), "");
+  const auto mine = profiles.displayCube();
+  awake.count_down();
+  EXPECT_EQ(until(profiles, [&] { return profiles.knowsPrinter(); }), "") << "no printer was chosen instead";
+  EXPECT_EQ(profiles.colours().displayFile, display);
+  EXPECT_EQ(profiles.displayCube(), mine);
 }
 
 }  // namespace
