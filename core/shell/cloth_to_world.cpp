@@ -5,14 +5,18 @@
 #include <limits>
 
 // How it works. The prisms of a shell are sorted by counting into a grid over the plane of the texture, with about
-// one cell for each. A point of cloth space is looked for in the prisms of its cell: of all their tetrahedra the one
-// that it lies deepest in is its own, so that points in a face are not lost to rounding. A flat piece is a
-// translation. Lengths are in mm. Cost: a few tetrahedra for each point.
+// one cell for each, but with cells no smaller than the prisms are on average: pieces may lie on top of each other in
+// the texture, and then each would touch very many. So there are a few entries for each prism at most. A point of cloth
+// space is looked for in the prisms of its cell: of all their tetrahedra the one that it lies deepest in is its own, so
+// that points in a face are not lost to rounding. A flat piece is a translation. Lengths are in mm. Cost: a few
+// tetrahedra for each point.
 
 namespace loomlight {
 namespace {
 
 constexpr size_t kTetsPerPrism = 3;
+
+constexpr double kMostCells = 4096;  // each way
 
 struct Bounds {
   glm::vec2 lower{std::numeric_limits<float>::max()}, upper{-std::numeric_limits<float>::max()};
@@ -20,6 +24,7 @@ struct Bounds {
     lower = glm::min(lower, p);
     upper = glm::max(upper, p);
   }
+  glm::dvec2 size() const { return glm::dvec2(upper) - glm::dvec2(lower); }
 };
 
 Bounds prismBounds(const Shell& shell, size_t prism) {
@@ -43,16 +48,21 @@ ClothToWorld::ClothToWorld(const Shell& shell) : shell_(shell) {
   const size_t prisms = shell.tets().size() / kTetsPerPrism;
   std::vector<Bounds> bounds(prisms);
   Bounds all;
+  double areas = 0, sides = 0;
   for (size_t i = 0; i < prisms; ++i) {
     bounds[i] = prismBounds(shell, i);
     all.include(bounds[i].lower);
     all.include(bounds[i].upper);
+    const glm::dvec2 of = bounds[i].size();
+    areas += of.x * of.y;
+    sides += 0.5 * (of.x + of.y);
   }
   lower_ = all.lower;
-  const glm::vec2 size = glm::max(all.upper - all.lower, glm::vec2(1e-6f));
-  const double side = std::sqrt(static_cast<double>(size.x) * size.y / static_cast<double>(prisms));
-  cells_ = glm::clamp(glm::ivec2(glm::dvec2(size) / side), glm::ivec2(1), glm::ivec2(4096));
-  perCell_ = size / glm::vec2(cells_);
+  const glm::dvec2 size = glm::max(all.size(), 1e-6);
+  const auto n = static_cast<double>(prisms);
+  const double side = std::max({std::sqrt(size.x * size.y / n), std::sqrt(areas / n), sides / n});
+  cells_ = glm::ivec2(glm::clamp(size / side, 1.0, kMostCells));
+  perCell_ = glm::vec2(size / glm::dvec2(cells_));
 
   // Counting sort of the prisms into the cells that their bounds touch.
   firstOfCell_.assign(static_cast<size_t>(cells_.x) * cells_.y + 1, 0);

@@ -126,13 +126,14 @@ class Repair {
     say(flatUv, "{} of {} triangles have no area in texture space and are left out", flatUv, all);
   }
 
-  /// For every triangle the neighbours across edges that exactly two share. `smooth`: only where texture continues.
+  /// For every triangle the neighbours across edges that exactly two share. `nonManifoldEdges`: how many more than two
+  /// share.
   struct Neighbour {
     uint32_t triangle;
     bool agrees;  ///< wound alike
     bool sameUv;
   };
-  std::vector<std::vector<Neighbour>> neighbours(size_t& crowdedEdges) const {
+  std::vector<std::vector<Neighbour>> neighbours(size_t& nonManifoldEdges) const {
     std::vector<glm::uvec3> corners;
     corners.reserve(triangles_.size());
     for (const Triangle& triangle : triangles_) corners.push_back(triangle.vertex);
@@ -140,10 +141,10 @@ class Repair {
     for (uint32_t i = 0; i < identity.size(); ++i) identity[i] = i;
 
     std::vector<std::vector<Neighbour>> result(triangles_.size());
-    crowdedEdges = 0;
+    nonManifoldEdges = 0;
     const std::vector<TriangleSide> sides = sortedSides(corners, identity);
     forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
-      crowdedEdges += edge.size() > 2;
+      nonManifoldEdges += edge.size() > 2;
       if (edge.size() != 2) return;
       const bool agrees = edge[0].forward != edge[1].forward;
       const bool sameUv = uvAt(edge[0], true) == uvAt(edge[1], true) && uvAt(edge[0], false) == uvAt(edge[1], false);
@@ -249,7 +250,7 @@ class Repair {
       }
     if (!(std::max(upper.x - lower.x, upper.y - lower.y) <= kLargest_mm))
       throw InputError(
-          fmt::format("{}: expected cloth of at most {:g} mm, but texture coordinates times drape.uvScale_mm "
+          fmt::format("{}: expected cloth of at most {:g} mm, but texture coordinates times drape.uv_scale_mm "
                       "({:g}) make {:.4g} x {:.4g} mm",
                       file_, kLargest_mm, uvScale_, upper.x - lower.x, upper.y - lower.y));
     std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
@@ -295,7 +296,7 @@ class Repair {
     }
     const double stretch = std::sqrt(world / cloth);
     if (stretch > kStretchWorthNoting || stretch < 1 / kStretchWorthNoting)
-      say(1, "the mesh is {:.3g} times as long as its cloth; drape.uvScale_mm {:.4g} would make them equal", stretch,
+      say(1, "the mesh is {:.3g} times as long as its cloth; drape.uv_scale_mm {:.4g} would make them equal", stretch,
           uvScale_ * stretch);
   }
 
@@ -316,7 +317,7 @@ DrapeMesh repairMesh(const std::string& file, const MeshFile& mesh, double uvSca
 
 DrapeMesh loadDrapeMesh(const std::string& file, double uvScale_mm) {
   if (!(uvScale_mm > 0 && uvScale_mm <= 1e6))
-    throw InputError(fmt::format("drape.uvScale_mm: expected a number above 0 and up to 1e6, got {:g}", uvScale_mm));
+    throw InputError(fmt::format("drape.uv_scale_mm: expected a number above 0 and up to 1e6, got {:g}", uvScale_mm));
   return repairMesh(file, readMeshFile(file), uvScale_mm);
 }
 

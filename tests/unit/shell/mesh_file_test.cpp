@@ -143,7 +143,7 @@ TEST_F(MeshFiles, RefusesWhatIsNoMesh) {
   EXPECT_THROW(loadDrapeMesh(folder_.file("none.obj"), 1), InputError);
   std::filesystem::create_directory(folder_.path() / "folder.obj");
   EXPECT_THROW(loadDrapeMesh(folder_.file("folder.obj"), 1), InputError);
-  EXPECT_THAT(failure("a.obj", kQuad, 0), HasSubstr("drape.uvScale_mm"));
+  EXPECT_THAT(failure("a.obj", kQuad, 0), HasSubstr("drape.uv_scale_mm"));
   EXPECT_THAT(failure("a.obj", kQuad, 1e6), HasSubstr("expected cloth of at most"));
   EXPECT_THAT(failure("a.obj", "v 0 0 0\nv 1e6 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"),
               HasSubstr("mesh of at most"));
@@ -225,7 +225,7 @@ TEST_F(MeshFiles, EndsTheClothAtCrowdedEdges) {
 
 TEST_F(MeshFiles, NotesATextureScaleThatStretchesTheCloth) {
   const DrapeMesh mesh = load("a.obj", kQuad, 1);  // 2 mm of mesh per mm of cloth
-  EXPECT_THAT(mesh.repairs, ElementsAre(HasSubstr("drape.uvScale_mm 2 would make them equal")));
+  EXPECT_THAT(mesh.repairs, ElementsAre(HasSubstr("drape.uv_scale_mm 2 would make them equal")));
 }
 
 /// Whatever bytes a file has, loading it ends, with a mesh that makes a shell or with a message.
