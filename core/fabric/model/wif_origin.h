@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fabric/model/absorption.h"
 #include "core/fabric/model/field_info.h"
 #include "core/fabric/model/unknown_keys.h"
 #include "core/fabric/model/wif_document.h"
@@ -11,8 +12,8 @@ namespace loomlight {
 
 /// What one of the fabric's yarns was given when the file was read.
 struct WifYarn {
-  int colour = 0;               ///< a number of the palette, 0 for none: the designer's own colour
-  Rgb absorption_per_mm{0.0f};  ///< of its fibre
+  int colour = 0;                ///< a number of the palette, 0 for none: the designer's own colour
+  Absorption absorption_per_mm;  ///< of its fibre; of a blend, of the first
   UnknownKeys unknown;
   friend bool operator==(const WifYarn&, const WifYarn&);
 };

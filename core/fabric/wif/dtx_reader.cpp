@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -263,17 +264,17 @@ class DtxReader {
                                      "info",         "threading",     "treadling",   "tieup",       "liftplan",
                                      "color palet",  "color palette", "warp colors", "weft colors", "warp spacing",
                                      "weft spacing", "notes"};
+    std::set<std::string> kept;
     for (const Section& section : sections_) {
       const bool isRead = std::find(std::begin(kRead), std::end(kRead), section.name) != std::end(kRead);
       if (isRead || section.lines.empty()) continue;
       const std::string name = fmt::format("PRIVATE DTX {}", wholeCharacters(section.name, 40));
       const bool isName = name.find(']') == std::string::npos && wifName(name) == wifName(trimmed(name));
-      const bool isNew = std::none_of(document_.rest.kept.begin(), document_.rest.kept.end(),
-                                      [&](const WifLines& lines) { return wifName(lines.section) == wifName(name); });
+      if (!isName || !kept.insert(wifName(name)).second) continue;
       std::vector<std::string> lines;
       for (const std::string& line : section.lines)
         if (!line.starts_with('[')) lines.push_back(line);
-      if (isName && isNew) document_.rest.kept.push_back({std::string(trimmed(name)), std::move(lines)});
+      document_.rest.kept.push_back({std::string(trimmed(name)), std::move(lines)});
     }
   }
 

@@ -273,18 +273,18 @@ WifPalette readWifPalette(const WifSections& sections, const WifCounting& counti
 
 std::vector<int> readWifColours(const WifSections& sections, const WifCounting& counting, System system, int threads,
                                 const WifPalette& palette, WifWarnings& warnings) {
+  const WifEntry* const common = findEntry(sections, sectionName(system), "color");
   /// The colour an entry names first; 0 where there is none of that number.
   const auto colourOf = [&](const std::string& section, const WifEntry& entry, const char* instead) {
     const std::vector<std::string_view> parts = wifList(entry.value);
     if (parts.empty()) return 0;
-    if (&entry == findEntry(sections, sectionName(system), "color") && isUnnumbered(sections, counting, system))
+    if (&entry == common && isUnnumbered(sections, counting, system))
       return ownNumber(sections, counting, system).value_or(0);
     const std::optional<int> number = counted(parts[0], counting);
     if (number && palette.colours.count(*number) > 0) return *number;
     warnings.add(entry.line, section, entryText(entry), fmt::format("There is no colour of this number; {}.", instead));
     return 0;
   };
-  const WifEntry* const common = findEntry(sections, sectionName(system), "color");
   const int usual = common ? colourOf(sectionName(system), *common, "the threads take the yarn's own colour") : 0;
   std::vector<int> colours(static_cast<size_t>(threads), usual);
   const std::string section = sectionName(system, " COLORS");

@@ -1,3 +1,4 @@
+#include "core/base/period.h"
 #include "core/fabric/model/wif_origin.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_yarns.h"
@@ -20,7 +21,7 @@ std::vector<int> cut(const std::vector<int>& sequence, int threads) {
   std::vector<int> left;
   for (int thread = 0; thread < threads; ++thread)
     left.push_back(sequence[static_cast<size_t>(thread) % sequence.size()]);
-  return shortest(std::move(left));
+  return shortestRepeat(std::move(left));
 }
 
 void cutSizes(WifSizes& sizes, int threads) {

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <tuple>
+#include <utility>
 
+#include "core/base/period.h"
 #include "core/base/rgb.h"
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/validate.h"
@@ -94,42 +97,71 @@ void reduceKinds(std::vector<Kind>& warp, std::vector<Kind>& weft, const WifPale
        WifConcern::look});
 }
 
-/// Gives the fabric, which is a copy of mine, the yarns of these threads.
+/// The fibres of a fabric to be: mine, each in the colours of the palette that its yarns have.
+class DyedFibres {
+ public:
+  DyedFibres(Fabric& fabric, const WifPalette& palette) : fabric_(fabric), palette_(palette), mine_(fabric.fibres) {
+    fabric_.fibres.clear();
+  }
+  const std::vector<Fibre>& mine() const { return mine_; }
+  /// Its number in the fabric; none where there is no room for another. `colour` 0: as it is.
+  std::optional<int> in(int fibre, int colour) {
+    const auto [known, isNew] = numbers_.emplace(std::pair(fibre, colour), static_cast<int>(fabric_.fibres.size()));
+    if (!isNew) return known->second;
+    if (fabric_.fibres.size() == kMaxKinds) {
+      numbers_.erase(known);
+      return std::nullopt;
+    }
+    Fibre given = mine_[fibre];
+    if (colour > 0) {  // what I called mine says nothing of one of another colour
+      given = dyed(given, linearFromSrgb(palette_.srgb(palette_.colours.at(colour))));
+      given.name = fibreNameFor(fabric_, kindName(given.name));
+    }
+    fabric_.fibres.push_back(std::move(given));
+    return known->second;
+  }
+
+ private:
+  Fabric& fabric_;
+  const WifPalette& palette_;
+  const std::vector<Fibre> mine_;
+  std::map<std::pair<int, int>, int> numbers_;  ///< of mine, and colour
+};
+
+/// Gives the fabric, which is a copy of mine, the yarns of these threads. A blend stays one, with both of its fibres in
+/// the colour of the thread, as cloth that is dyed in the piece; where there is no room for its second fibres, of the
+/// first alone.
 std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const std::vector<Kind>& weft,
                            const WifPalette& palette, Warnings& warnings) {
   const std::vector<Yarn> myYarns = fabric.yarns;
-  const std::vector<Fibre> myFibres = fabric.fibres;
+  DyedFibres fibres(fabric, palette);
   std::map<Kind, int> yarnOf;
   for (const auto* kinds : {&warp, &weft})
     for (const Kind& kind : *kinds) yarnOf.emplace(kind, 0);
-  std::map<std::pair<int, int>, int> fibreOf;  // of mine, and colour
   fabric.yarns.clear();
-  fabric.fibres.clear();
   std::vector<WifYarn> given;
   bool held = false;
   for (auto& [kind, index] : yarnOf) {
     index = static_cast<int>(fabric.yarns.size());
     Yarn yarn = myYarns[kind.base];
-    Fibre fibre = myFibres[yarn.fibre];
     const double diameters = kind.permille / 1000.0;
-    if (kind.permille != 1000) yarn = heavier(yarn, fibre, diameters * diameters, held);
-    const auto [known, isNew] = fibreOf.emplace(std::pair(yarn.fibre, kind.colour), fabric.fibres.size());
-    yarn.fibre = known->second;
-    // What I called my yarn and its fibre says nothing of one of another colour or thickness: yarns go by these.
-    if (kind.colour > 0) {
-      fibre = dyed(fibre, linearFromSrgb(palette.srgb(palette.colours.at(kind.colour))));
-      if (isNew) fibre.name = fibreNameFor(fabric, kindName(fibre.name));
-    }
-    if (kind.colour > 0 || kind.permille != 1000) yarn.name.clear();
-    if (isNew) fabric.fibres.push_back(fibre);
-    given.push_back({kind.colour, fabric.fibres[yarn.fibre].absorption_per_mm.primaries, {}});
+    if (kind.permille != 1000) yarn = heavier(yarn, meanFibre(yarn, fibres.mine()), diameters * diameters, held);
+    yarn.fibre = fibres.in(yarn.fibre, kind.colour).value();          // there are no more of these than of yarns
+    if (kind.colour > 0 || kind.permille != 1000) yarn.name.clear();  // it said nothing of another colour or thickness
+    given.push_back({kind.colour, fabric.fibres[yarn.fibre].absorption_per_mm, {}});
     fabric.yarns.push_back(yarn);
+  }
+  for (const auto& [kind, index] : yarnOf) {
+    Yarn& yarn = fabric.yarns[index];
+    if (!yarn.blendFibre) continue;
+    yarn.blendFibre = fibres.in(*yarn.blendFibre, kind.colour);
+    if (!yarn.blendFibre) yarn.blendShare.reset();
   }
   if (held) warnings.push_back(heldYarns());
   const auto sequence = [&yarnOf](const std::vector<Kind>& kinds) {
     std::vector<int> yarns;
     for (const Kind& kind : kinds) yarns.push_back(yarnOf.at(kind));
-    return shortest(std::move(yarns));
+    return shortestRepeat(std::move(yarns));
   };
   fabric.colourways.clear();         // they were of my fibres, by number
   fabric.mill.selvedgeYarn.reset();  // it was the number of one of my yarns
@@ -182,7 +214,7 @@ std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fab
   origin.warpDiameter_mm = meanDiameter_mm(fabric, System::warp);
   origin.weftDiameter_mm = meanDiameter_mm(fabric, System::weft);
   const auto diameters = [&fabric](const WifSizes& sizes, System system) {
-    return sizes.hasSingle() ? shortest(threadDiameters_mm(fabric, system)) : std::vector<double>();
+    return sizes.hasSingle() ? shortestRepeat(threadDiameters_mm(fabric, system)) : std::vector<double>();
   };
   origin.warpDiameters_mm = diameters(origin.rest.warp, System::warp);
   origin.weftDiameters_mm = diameters(origin.rest.weft, System::weft);

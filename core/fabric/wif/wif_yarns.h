@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,20 +24,6 @@ WifWarning heldYarns();
 /// threads: the designer's first of the warp and of the weft, dyed, and perhaps thicker. What does not fit into
 /// kMaxKinds yarns becomes the nearest that does, with a warning. Returns what each yarn was given.
 std::vector<WifYarn> dressThreads(Fabric& fabric, const WifDocument& document, std::vector<WifWarning>& warnings);
-
-/// The shortest sequence that goes on in the same way for ever and fits the repeat.
-template <class Value>
-std::vector<Value> shortest(std::vector<Value> sequence) {
-  const size_t n = sequence.size();
-  for (size_t period = 1; period <= n / 2; ++period) {
-    if (n % period != 0) continue;
-    if (std::equal(sequence.begin() + static_cast<long>(period), sequence.end(), sequence.begin())) {
-      sequence.resize(period);
-      return sequence;
-    }
-  }
-  return sequence;
-}
 
 /// The origin of a fabric that has just been given its sizes.
 std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fabric);

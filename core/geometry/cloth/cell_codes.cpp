@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/modulo.h"
+#include "core/base/period.h"
 #include "core/fabric/model/validate.h"
 
 // How it works. A cell's shape depends on five crossings, its own in their middle: three nodes, and the neighbours of
@@ -21,29 +22,6 @@
 
 namespace loomlight {
 namespace {
-
-/// In order.
-std::vector<int> divisorsOf(int n) {
-  std::vector<int> divisors;
-  for (int d = 1; d * d <= n; ++d) {
-    if (n % d != 0) continue;
-    divisors.push_back(d);
-    if (d * d < n) divisors.push_back(n / d);
-  }
-  std::sort(divisors.begin(), divisors.end());
-  return divisors;
-}
-
-/// Smallest p that divides n with same(i, i + p) for all i.
-template <class Same>
-int smallestPeriod(int n, Same&& same) {
-  for (const int p : divisorsOf(n)) {
-    int i = 0;
-    while (i + p < n && same(i, i + p)) ++i;
-    if (i + p >= n) return p;
-  }
-  return n;
-}
 
 bool sameRow(std::span<const uint8_t> a, std::span<const uint8_t> b) {
   return a.data() == b.data() || std::equal(a.begin(), a.end(), b.begin());
@@ -122,12 +100,6 @@ constexpr std::array<ShapeCode, 1 << kSidesSeen> makeFloatCodes() {
 constexpr auto kFloatCodes = makeFloatCodes();
 
 }  // namespace
-
-std::vector<int> shortestRepeat(std::vector<int> list) {
-  const auto same = [&](int a, int b) { return list[a] == list[b]; };
-  list.resize(static_cast<size_t>(smallestPeriod(static_cast<int>(list.size()), same)));
-  return list;
-}
 
 CellCodes::CellCodes(const Weave& weave, std::array<std::vector<int>, 2> classes, bool crowded)
     : weave_(weave), classes_(std::move(classes)), crowded_(crowded) {

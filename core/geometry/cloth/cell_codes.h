@@ -83,6 +83,4 @@ class CellCodes {
   int repeatEnds_ = 1, repeatPicks_ = 1;
 };
 
-/// The shortest part that a list is repeats of.
-std::vector<int> shortestRepeat(std::vector<int> list);
 }  // namespace loomlight

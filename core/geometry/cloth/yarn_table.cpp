@@ -9,6 +9,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/modulo.h"
+#include "core/base/period.h"
 #include "core/fabric/model/yarn_count.h"
 
 // How it works. What a yarn is like depends on its neighbours, so it is resolved in steps. The outline of each class of

@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <set>
 
 #include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/colourways.h"
+#include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/jacquard.h"
 #include "core/fabric/weave/structures.h"
@@ -66,6 +69,48 @@ TEST(WifFabric, ColoursOfAnotherFormGoOutAsTheyWereRead) {
   EXPECT_THAT(wifFromFabric(fabric, "y.wif").text, testing::Not(testing::HasSubstr("Form=")));
   const std::string rgb = replaced(twillFile(), "Entries=4\n", "Entries=4\nForm=RGB\n");
   EXPECT_THAT(wifFromFabric(imported(rgb), "y.wif").text, testing::HasSubstr("\r\nForm=RGB\r\n"));
+}
+
+/// Of a designer who looks at flannel, say: what the draft dyes is the blend, in one colour a yarn.
+TEST(WifFabric, ABlendOfMineStaysOneInTheColoursOfTheFile) {
+  Fabric mine;
+  mine.fibres = {Fibre{}, Fibre{}, Fibre{}};
+  mine.fibres[2].radius_um = 2 * mine.fibres[0].radius_um;
+  mine.yarns[0].blendFibre = 2;
+  mine.yarns[0].blendShare = 0.3;
+  const std::string colourless = replaced(replaced(twillFile(), "Color=1\n", ""), "Color=3\n", "");
+  for (const std::string& text : {twillFile(), colourless}) {
+    for (const WifSizeChoice sizes : {WifSizeChoice::keep, WifSizeChoice::file}) {
+      const Fabric fabric = fabricFromWif(text, "x.wif", mine, sizes).fabric;
+      EXPECT_NO_THROW(validate(fabric, "x.wif"));
+      for (const Yarn& yarn : fabric.yarns) {
+        ASSERT_TRUE(yarn.blendFibre);
+        EXPECT_EQ(yarn.blendShare, 0.3);
+        EXPECT_EQ(fabric.fibres[*yarn.blendFibre].radius_um, 2 * fabric.fibres[yarn.fibre].radius_um);
+        const Rgb first = srgbFromLinear(fibreReflectance(fabric.fibres[yarn.fibre]));
+        expectColour(srgbFromLinear(fibreReflectance(fabric.fibres[*yarn.blendFibre])), 255.0f * first);
+      }
+    }
+  }
+}
+
+/// A fabric has at most 64 fibres, so that of 40 yarns only some can be blends, each in its own colour.
+TEST(WifFabric, ABlendThatHasNoRoomIsOfItsFirstFibre) {
+  WifDocument many = document(twillFile());
+  for (int colour = 1; colour <= 40; ++colour) many.rest.palette.colours[colour] = {3 * colour, 255 - colour, colour};
+  many.draft.threading.assign(40, {1});
+  many.warpColours.resize(40);
+  std::iota(many.warpColours.begin(), many.warpColours.end(), 1);
+  Fabric mine;
+  mine.fibres = {Fibre{}, Fibre{}};
+  mine.yarns[0].blendFibre = 1;
+  const Fabric fabric = fabricFromWif(wifFromDocument(many), "x.wif", mine, WifSizeChoice::keep).fabric;
+  EXPECT_NO_THROW(validate(fabric, "x.wif"));
+  EXPECT_EQ(fabric.fibres.size(), 64u);
+  const auto blends = std::count_if(fabric.yarns.begin(), fabric.yarns.end(),
+                                    [](const Yarn& yarn) { return yarn.blendFibre.has_value(); });
+  EXPECT_GE(blends, 24);
+  EXPECT_LT(blends, static_cast<long>(fabric.yarns.size()));
 }
 
 TEST(WifFabric, MineGivesTheYarnsAndAllElse) {
@@ -303,7 +348,9 @@ TEST(WifFabric, ADraftWithoutColoursGoesOutWithoutThem) {
   ASSERT_TRUE(document(text).rest.palette.colours.empty());
   Fabric navy;
   navy.fibres[0].absorption_per_mm = Rgb(50, 40, 9);
-  for (const Fabric& mine : {Fabric{}, navy}) {
+  Fabric measured = navy;  // by a spectrophotometer, as a matched swatch is
+  measured.fibres[0].absorption_per_mm.bands.emplace().fill(12.0f);
+  for (const Fabric& mine : {Fabric{}, navy, measured}) {
     Fabric fabric = fabricFromWif(text, "x.wif", mine, WifSizeChoice::keep).fabric;
     const WifDocument after = document(wifFromFabric(fabric, "y.wif").text);
     EXPECT_TRUE(after.rest.palette.colours.empty());
