@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/fabric/json/band_samples.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/json/json_text.h"
 #include "core/fabric/model/check.h"
@@ -186,14 +187,15 @@ void read(const json& value, const FieldInfo& info, const FieldPath& path, Spect
       path.reject(expected, fmt::format("{}", value.size()));
     readValues(value, path);
   } else {
-    constexpr size_t kMost = 1001;
     const FieldPath there = path.at("values");
     ObjectReader reader(value, path);
-    reader.take("from_nm", FieldInfo{{}, "", "", "", 100, 2000}, from_nm);
-    reader.take("step_nm", FieldInfo{{}, "", "", "", 0.1, 100}, step_nm);
+    reader.take("from_nm", band_samples::kFrom_nm, from_nm);
+    reader.take("step_nm", band_samples::kStep_nm, step_nm);
     const json list = reader.take("values").value_or(json());
     const size_t count = readList(list, "a list of numbers", there).size();
-    if (count < 2 || count > kMost) there.reject(fmt::format("from 2 to {} numbers", kMost), fmt::format("{}", count));
+    if (count < band_samples::kFewest || count > band_samples::kMost)
+      there.reject(fmt::format("from {} to {} numbers", band_samples::kFewest, band_samples::kMost),
+                   fmt::format("{}", count));
     readValues(list, there);
     reader.expectNoMore("from_nm, step_nm and values");
     constexpr double kFewestFrom_nm = 400, kFewestTo_nm = 700;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/fabric/json/band_samples.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/json/json_text.h"
 #include "core/fabric/model/choice_names.h"
@@ -77,11 +78,14 @@ Json typeOf(const FieldInfo& info, const Spectrum&) {
   const Json number = ranged("number", info.min, info.max);
   const std::string text =
       fmt::format("{} numbers, from {} to {} nm.", kBands, kFirstBand_nm, bandWavelength_nm(kBands - 1));
-  Json samples{{"type", "object"},
-               {"properties",
-                {{"from_nm", ranged("number", 100, 2000)},
-                 {"step_nm", ranged("number", 0.1, 100)},
-                 {"values", listOf(number, "In the order of their wavelengths.", 2, 1001)}}}};
+  Json samples{
+      {"type", "object"},
+      {"properties",
+       {{"from_nm", ranged("number", band_samples::kFrom_nm.min, band_samples::kFrom_nm.max)},
+        {"step_nm", ranged("number", band_samples::kStep_nm.min, band_samples::kStep_nm.max)},
+        {"values", listOf(number, "In the order of their wavelengths.", band_samples::kFewest, band_samples::kMost)}}},
+      {"required", Json::array({"values"})},
+      {"additionalProperties", false}};
   return {{"anyOf", {listOf(number, text, kBands, kBands), std::move(samples)}}};
 }
 template <class Object>
@@ -89,12 +93,14 @@ Json objectOf(const std::string& text);
 /// Three numbers, or an object with what is known beyond them.
 Json typeOf(const FieldInfo& info, const Absorption& value) {
   const Json primaries = typeOf(info, value.primaries);
+  Json dye = objectOf<Dyestuff>("A dye of the recipe: it adds its amount times its absorption.");
+  dye["additionalProperties"] = false;
   Json object{{"type", "object"},
               {"properties",
                {{"primaries", described(primaries, "What red, green and blue light lose.")},
                 {"bands", described(typeOf(info, Spectrum{}), "What each band loses, as measured.")},
-                {"dyes", listOf(objectOf<Dyestuff>("A dye of the recipe: it adds its amount times its absorption."),
-                                "The dyes on the fibre.", 0, Absorption::kMostDyes)}}}};
+                {"dyes", listOf(std::move(dye), "The dyes on the fibre.", 0, Absorption::kMostDyes)}}},
+              {"additionalProperties", false}};
   return {{"anyOf", {primaries, std::move(object)}}};
 }
 template <class Enum>

@@ -30,6 +30,10 @@ class Schema(CommandLineTest):
             lambda f: f["yarns"][0].update(plies=1.5),
             lambda f: f["yarns"][0].update(layout="heaped"),
             lambda f: f["fibres"][0].update(absorption_per_mm=[1, 2]),
+            lambda f: f["fibres"][0].update(absorption_per_mm={"primary": [1, 2, 3]}),
+            lambda f: f["fibres"][0].update(absorption_per_mm={"bands": {"from_nm": 400, "step_nm": 10}}),
+            lambda f: f["fibres"][0].update(absorption_per_mm={"bands": {"step": 10, "values": [1] * 40}}),
+            lambda f: f["fibres"][0].update(absorption_per_mm={"dyes": [{"percent": 3}]}),
             lambda f: f.update(weave=["#x"]),
             lambda f: f.update(warp_sequence=[-1]),
         ):
