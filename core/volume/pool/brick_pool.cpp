@@ -44,8 +44,12 @@ BrickPool::Id BrickPool::add(const Brick& brick, System system) {
   {
     std::lock_guard lock(mutex_);
     id = entries_.take(1);
-    entry.firstBlock = blocks_.take(count);
-    entry.firstComponent = components_.take(entry.components);
+    try {
+      takeRanges(count, entry);
+    } catch (...) {
+      entries_.giveBack(id, 1);
+      throw;
+    }
     entries_.data()[id] = entry;
   }
   std::copy(brick.components.begin(), brick.components.end(), components_.data() + entry.firstComponent);
@@ -54,6 +58,23 @@ BrickPool::Id BrickPool::add(const Brick& brick, System system) {
     return block;
   });
   return id;
+}
+
+/// For so many blocks and the entry's components.
+void BrickPool::takeRanges(uint32_t blocks, Entry& entry) {
+  entry.firstBlock = blocks_.take(blocks);
+  try {
+    entry.firstComponent = components_.take(entry.components);
+  } catch (...) {
+    blocks_.giveBack(entry.firstBlock, blocks);
+    throw;
+  }
+}
+
+bool BrickPool::isHalfFull() const {
+  std::lock_guard lock(mutex_);
+  return entries_.end() > kMostEntries / 2 || blocks_.end() > kMostBlocks / 2 ||
+         components_.end() > kMostComponents / 2;
 }
 
 void BrickPool::hold(std::span<const Id> bricks) {

@@ -47,6 +47,9 @@ class BrickPool {
   void hold(std::span<const Id> bricks);
   void release(std::span<const Id> bricks);
 
+  /// Whether another volume as large as all those that share it may find no room in it.
+  bool isHalfFull() const;
+
   const Entry* entries() const { return entries_.data(); }
   const BrickBlock* blocks() const { return blocks_.data(); }
   const Component* components() const { return components_.data(); }
@@ -54,8 +57,10 @@ class BrickPool {
   BrickView view(Id brick) const;
 
  private:
+  void takeRanges(uint32_t blocks, Entry& entry);
+
   glm::ivec3 cell_;
-  std::mutex mutex_;  ///< of the arenas' ranges and the entries' holders
+  mutable std::mutex mutex_;  ///< of the arenas' ranges and the entries' holders
   Arena<Entry> entries_;
   Arena<BrickBlock> blocks_;
   Arena<Component> components_;

@@ -37,6 +37,7 @@ ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGri
 std::shared_ptr<ClothVolume> ClothVolume::begin(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                 const Task& task, const ClothVolume* previous) {
   const VoxelGrid grid = makeGrid(*geometry, resolution);
+  if (previous && previous->pool_->isHalfFull()) previous = nullptr;
   auto pool = previous && previous->grid_ == grid ? previous->pool_ : std::make_shared<BrickPool>(grid.perCell());
   std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), grid, std::move(pool)));
   if (!previous || !volume->editTiles(*previous, task)) volume->readTiles(previous, task);
