@@ -17,6 +17,7 @@ struct KnownFibre {
   float radius_mm = 0;  ///< 0: none
   YarnId yarnId;
   int yarn = 0, end = 0, pick = 0;
+  int material = 0;  ///< of a blend, which of its two
 };
 
 /// A flight that ended at a collision: a way now known to be free of fibres.

@@ -52,7 +52,7 @@ class LoomlightBatch::Flights final : public DepthRayEnds {
     if (distance == kNever) return;
     Path& path = paths_[pathRay.path];
     const ScenePoint place{path.place.world + distance * pathRay.direction, tet};
-    met_[i] = medium_.meetBefore(place, pathRay.direction, distance, *pathRay.random, path.memory);
+    met_[i] = medium_.meetBefore(place, pathRay.direction, distance, path.memory);
     medium_.remember(*met_[i], path.memory);
   }
 

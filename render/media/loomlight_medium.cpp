@@ -47,7 +47,7 @@ glm::mat3 LoomlightMedium::toClothOf(int tet) const {
   return cloth_->shell->isFlat() ? glm::mat3(1.0f) : cloth_->shell->tets()[tet].toCloth;
 }
 
-Collision LoomlightMedium::meetBefore(const ScenePoint& place, glm::vec3 direction, float distance_mm, Random& random,
+Collision LoomlightMedium::meetBefore(const ScenePoint& place, glm::vec3 direction, float distance_mm,
                                       Memory& memory) const {
   const KnownFibre& fibre = memory.known.before;
   Collision c;
@@ -65,7 +65,7 @@ Collision LoomlightMedium::meetBefore(const ScenePoint& place, glm::vec3 directi
   c.pick = fibre.pick;
   c.optics = cloth_->yarns[static_cast<int>(fibre.yarnId.system)][fibre.yarn];
   c.radius_mm = fibre.radius_mm;
-  c.material = drawMaterial(c.optics, random);
+  c.material = fibre.material;
   memory.howMet.amongAll = false;
   return c;
 }
@@ -74,7 +74,7 @@ void LoomlightMedium::remember(const Collision& met, Memory& memory) const {
   if (!ingredients_.hotSpot) return;
   KnownFibres& known = memory.known;
   known.before = known.leaving;
-  known.leaving = {met.axis, met.tangent, met.radius_mm, met.yarnId, met.yarn, met.end, met.pick};
+  known.leaving = {met.axis, met.tangent, met.radius_mm, met.yarnId, met.yarn, met.end, met.pick, met.material};
   known.pastSegments = {RaySegment{met.place.world, met.incoming, met.distance_mm}, known.pastSegments[0]};
 }
 

@@ -81,8 +81,7 @@ class LoomlightMedium final : public Medium {
   float radius_mm() const { return radius_mm_; }  ///< see below
   glm::mat3 toClothOf(int tet) const;             ///< d cloth / d world
   /// With the fibre before, as the cylinder that it is.
-  Collision meetBefore(const ScenePoint& place, glm::vec3 direction, float distance_mm, Random& random,
-                       Memory& memory) const;
+  Collision meetBefore(const ScenePoint& place, glm::vec3 direction, float distance_mm, Memory& memory) const;
   /// Keeps a meeting in mind.
   void remember(const Collision& met, Memory& memory) const;
   glm::vec3 exit(const Collision& met, glm::vec3 wi, float length_radii) const;

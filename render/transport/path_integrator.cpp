@@ -45,7 +45,9 @@ T misWeight(T own, T other) {
   return own / (own + other);
 }
 
-/// How likely a collision looks for a lamp; see PathIntegrator::lightSamplingProbability().
+/// How likely a collision looks for a lamp, which costs a walk out of the cloth. The more of the lamp's light the fibre
+/// would send on, the likelier, so that no lamp found brings much more than another: narrow modes, met rarely, are what
+/// makes pictures noisy. `value`: the sum of Q, 1/sr; the least chance keeps all possible.
 template <class T>
 T lightSamplingChance(T value) {
   constexpr float kCertain = 0.2f, kLeast = 0.05f;
@@ -94,12 +96,10 @@ void PathIntegrator::stratify(uint32_t path, uint32_t events, uint32_t use) {
   randomOf(path).stratify(dimension, events < kStratifiedEvents ? kDimensionsPerUse : 0);
 }
 
-/// How likely a collision looks for a lamp: that costs a walk out of the cloth. The more of the lamp's light the fibre
-/// would send on, the likelier, so that no lamp found brings much more than another: narrow modes, met rarely, are what
-/// makes pictures noisy. `value` is the sum of Q, 1/sr; the least chance keeps all possible. Certain at the first
-/// event: it is what the eye sees.
-float PathIntegrator::lightSamplingProbability(float value, uint32_t events) const {
-  return !sampling_.lampsByChance || events == 1 ? 1.0f : lightSamplingChance(value);
+/// Whether a collision looks for a lamp for sure, and not by chance (lightSamplingChance): the first event is what the
+/// eye sees.
+bool PathIntegrator::isLampCertain(uint32_t events) const {
+  return !sampling_.lampsByChance || events == 1;
 }
 
 /// The fibre's radius, times how deeply its thread is dyed.
@@ -141,8 +141,8 @@ void PathIntegrator::gatherEscaped(uint32_t path, float visible) {
   const State& state = states_[path];
   const Rgb radiance = scene_.lighting->escape(state.direction);
   if (visible == 0 || radiance == Rgb(0)) return;
-  const float looked = lamps_ ? lightSamplingProbability(state.scatterPdf, state.events) : 0.0f;
-  const float weight = lamps_ ? misWeight(state.scatterPdf, looked * scene_.lighting->pdf(state.direction)) : 1.0f;
+  const float chance = isLampCertain(state.events) ? 1.0f : lightSamplingChance(state.scatterPdf);
+  const float weight = lamps_ ? misWeight(state.scatterPdf, chance * scene_.lighting->pdf(state.direction)) : 1.0f;
   gather(path, {radiance * (weight * visible)});
 }
 
@@ -168,8 +168,8 @@ PathIntegrator::LightResponses PathIntegrator::evaluate(std::span<const LightQue
 
   const Lanes lightPdf = columnOf<Lanes>(count, [&](size_t i) { return queries[i].light.pdf; });
   const Lanes isDelta = columnOf<Lanes>(count, [&](size_t i) { return queries[i].light.isDelta() ? 1.0f : 0.0f; });
-  const Lanes isCertain = columnOf<Lanes>(
-      count, [&](size_t i) { return !sampling_.lampsByChance || states_[queries[i].path].events == 1 ? 1.0f : 0.0f; });
+  const Lanes isCertain =
+      columnOf<Lanes>(count, [&](size_t i) { return isLampCertain(states_[queries[i].path].events) ? 1.0f : 0.0f; });
   const auto chanceOf = [&](Lanes value) { return isCertain > 0 ? isCertain : lightSamplingChance(value); };
   Lanes pdfs{}, number{};
   for (size_t k = 0; k < kOffsets; ++k) {
@@ -235,6 +235,11 @@ void PathIntegrator::fly(TraceCounts& counts) {
       end(path, PathEnd::left);
       continue;
     }
+    if (state.events ==
+        sampling_.maxEvents) {  // only now: what sampled directions find is half of the last lamp's light
+      end(path, PathEnd::deepest);
+      continue;
+    }
     state.at = &*met_[i];
     ++state.events;
     if (sinkOf(path).meets(*state.at, state.events))
@@ -279,14 +284,6 @@ void PathIntegrator::sampleLights(TraceCounts& counts) {
 /// The fibres send all active paths on, but for those that end there.
 void PathIntegrator::scatter() {
   size_t kept = 0;
-  for (const uint32_t path : active_) {
-    if (states_[path].events >= sampling_.maxEvents)
-      end(path, PathEnd::deepest);
-    else
-      active_[kept++] = path;
-  }
-  active_.resize(kept);
-  kept = 0;
   forEachEight(
       std::span<const uint32_t>(active_), [&](uint32_t path) { return materialOf(path); },
       [&](std::span<const uint32_t> eight) {

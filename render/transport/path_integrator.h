@@ -84,7 +84,7 @@ class PathIntegrator {
   size_t scatterEight(std::span<uint32_t> eight);
   void seeDirectLightApart(TraceCounts& counts);
   void stratify(uint32_t path, uint32_t events, uint32_t use);
-  float lightSamplingProbability(float value, uint32_t events) const;
+  bool isLampCertain(uint32_t events) const;
   void sortByMaterial();
   int materialOf(uint32_t path) const { return states_[path].at->material; }
   float depth_mm(uint32_t path) const;

@@ -82,8 +82,7 @@ bool traceBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, 
   constexpr size_t kTriesPerPath = 64;  // what so few eyes see is not on the face
   const glm::dvec2 window = windowSides_mm(*scene.fabric);
   const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
-  const uint32_t deepest = scene.sampling.maxEvents + 1;  // no lamp is looked for from the last one
-  PathIntegrator integrator(scene, medium, PathSampling::plain(deepest), most);
+  PathIntegrator integrator(scene, medium, PathSampling::plain(scene.sampling.maxEvents), most);
   std::vector<char> wanted(kinds.size());
   std::vector<LengthTally> tallies(most, LengthTally(kindOf, wanted));
   std::vector<PathStart> starts;
@@ -204,6 +203,8 @@ Fabric colourPatch(Fabric fabric) {
   fabric.light = Light{};
   fabric.light.kind = LightKind::dome;
   fabric.render.method = Method::volume;
+  // The report's tables dim light that comes straight from a lamp: a path would bring parts of it, and not lengths.
+  if (fabric.render.needsVisibility()) fabric.render.estimator = Estimator::loomlight;
   return fabric;
 }
 

@@ -4,7 +4,9 @@
 #include <map>
 
 #include "render/media/fibre_medium.h"
+#include "render/media/loomlight_medium.h"
 #include "render/media/volume_medium.h"
+#include "render/transport/path_integrator.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/test_cloth.h"
 
@@ -55,6 +57,41 @@ TEST(Blend, LightMeetsEachKindAsOftenAsThereIs) {
   int drawn = 0;
   for (int i = 0; i < kDraws; ++i) drawn += drawMaterial(scene->cloth->yarns[0][0], random) == 1;
   EXPECT_NEAR(drawn / static_cast<double>(kDraws), 0.3, 4 * std::sqrt(0.3 * 0.7 / kDraws));
+}
+
+/// The collisions of a path with a fibre that it had met just before the last one: how many, and how many of them were
+/// with a fibre of another material, which a fibre cannot become.
+class SameFibreAgain final : public PathSink {
+ public:
+  bool meets(const Collision& at, uint32_t event) override {
+    // Tangents that statistics draw are never equal: the medium knows this fibre.
+    if (event > 2 && at.tangent == before_.tangent && at.yarnId == before_.yarnId) {
+      ++met;
+      changed += at.material != before_.material;
+    }
+    before_ = last_;
+    last_ = at;
+    return true;
+  }
+  int met = 0, changed = 0;
+
+ private:
+  Collision last_, before_;
+};
+
+TEST(Blend, AFibreThatIsMetAgainIsOfTheKindThatItWas) {
+  const auto scene = test::sceneOf(blended(0.5));
+  const LoomlightMedium medium(scene->cloth);
+  PathIntegrator integrator(*scene, medium, PathSampling::plain(64));
+  Random random(1);
+  TraceCounts counts;
+  SameFibreAgain sink;
+  for (int i = 0; i < 2000; ++i) {
+    const float x = random.uniform() - 0.5f, y = random.uniform() - 0.5f;
+    integrator.follow({{x, y, 1}, {0, 0, -1}}, random, sink, counts);
+  }
+  EXPECT_GT(sink.met, 200);
+  EXPECT_EQ(sink.changed, 0);
 }
 
 // Whatever meets it, and as often: fibres that rays find keep what they are, and there are as many of each kind as the
