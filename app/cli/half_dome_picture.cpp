@@ -41,7 +41,7 @@ Pixels8 halfDomePicture(const HalfDomeMeasure& measure, double paperRadiance, co
                             radius * measure.grid.inclinations - 0.5),
                     tone);
       uint8_t* pixel = &pixels.bytes[(static_cast<size_t>(row) * side + column) * 4];
-      for (int c = 0; c < 3; ++c) pixel[c] = static_cast<uint8_t>(std::lround(255 * std::clamp(colour[c], 0.0f, 1.0f)));
+      for (int c = 0; c < 3; ++c) pixel[c] = byteOf(colour[c]);
       pixel[3] = 255;
     }
   return pixels;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/stopwatch.h"
+#include "core/fabric/json/json_text.h"
 
 namespace loomlight {
 namespace {
@@ -55,7 +56,7 @@ std::string progressJson(const std::string& label, double fraction, double elaps
   nlohmann::ordered_json line{
       {"stage", label}, {"fraction", rounded(fraction, 1e4)}, {"elapsed_s", rounded(elapsed_s, 10)}};
   if (fraction > 0) line["left_s"] = rounded(elapsed_s * (1 - fraction) / fraction, 10);
-  return line.dump();
+  return jsonText(line);
 }
 
 Progress::Progress(std::string label, ProgressStyle style, std::FILE* out)

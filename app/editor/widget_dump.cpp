@@ -4,6 +4,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/fabric/json/json_text.h"
+
 namespace loomlight {
 
 void WidgetDump::write(const WidgetProbe::Snapshot& snapshot) {
@@ -14,7 +16,7 @@ void WidgetDump::write(const WidgetProbe::Snapshot& snapshot) {
   const nlohmann::json all = {{"widgets", widgets}, {"facts", snapshot.facts}};
   // No flush to the disk here: it would hold up every frame, and the reader is another process on this machine.
   const std::string temporary = file_ + ".part";
-  std::ofstream(temporary) << all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::ofstream(temporary) << jsonText(all, 1);
   std::rename(temporary.c_str(), file_.c_str());
 }
 

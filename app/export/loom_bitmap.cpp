@@ -2,30 +2,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <utility>
+
+#include "core/base/little_endian.h"
 
 namespace loomlight {
 namespace {
-
-/// Bytes with the low one of a number first.
-class Bytes {
- public:
-  Bytes& two(unsigned value) { return append(value, 2); }
-  Bytes& four(size_t value) { return append(value, 4); }
-  Bytes& text(const std::string& text) {
-    bytes_ += text;
-    return *this;
-  }
-  size_t size() const { return bytes_.size(); }
-  std::string take() { return std::move(bytes_); }
-
- private:
-  Bytes& append(size_t value, int count) {
-    for (int i = 0; i < count; ++i) bytes_ += static_cast<char>(value >> (8 * i) & 0xFF);
-    return *this;
-  }
-  std::string bytes_;
-};
 
 size_t bytesOfRow(const Weave& weave, size_t multiple) {
   const size_t bytes = (static_cast<size_t>(weave.ends()) + 7) / 8;
@@ -50,9 +31,9 @@ std::string tiffOf(const Fabric& fabric) {
   constexpr unsigned kShort = 3, kLong = 4, kRational = 5, kEntries = 12;
   constexpr size_t kHeader = 8, kDirectory = 2 + kEntries * 12 + 4, kAcross = kHeader + kDirectory;
   constexpr size_t kDown = kAcross + 8, kPixels = kDown + 8;
-  Bytes file;
-  file.text("II").two(42).four(kHeader).two(kEntries);
-  const auto entry = [&](unsigned tag, unsigned type, size_t value) { file.two(tag).two(type).four(1).four(value); };
+  LittleEndian file;
+  file.text("II").u16(42).u32(kHeader).u16(kEntries);
+  const auto entry = [&](unsigned tag, unsigned type, size_t value) { file.u16(tag).u16(type).u32(1).u32(value); };
   entry(256, kLong, static_cast<size_t>(weave.ends()));            // ImageWidth
   entry(257, kLong, static_cast<size_t>(weave.picks()));           // ImageLength
   entry(258, kShort, 1);                                           // BitsPerSample
@@ -65,26 +46,26 @@ std::string tiffOf(const Fabric& fabric) {
   entry(282, kRational, kAcross);                                  // XResolution
   entry(283, kRational, kDown);                                    // YResolution
   entry(296, kShort, 3);                                           // ResolutionUnit: centimetre
-  file.four(0);
+  file.u32(0);
   for (const double per_cm : {fabric.ends_per_cm, fabric.picks_per_cm})
-    file.four(static_cast<size_t>(std::lround(1000 * per_cm))).four(1000);
+    file.u32(static_cast<size_t>(std::lround(1000 * per_cm))).u32(1000);
   for (int pick = weave.picks() - 1; pick >= 0; --pick) file.text(bitsOf(weave, pick, length));
-  return file.take();
+  return file.bytes();
 }
 
 std::string bmpOf(const Fabric& fabric) {
   const Weave& weave = fabric.weave;
   const size_t length = bytesOfRow(weave, 4), pixels = length * static_cast<size_t>(weave.picks());
   constexpr size_t kFileHeader = 14, kInfoHeader = 40, kPalette = 8, kBefore = kFileHeader + kInfoHeader + kPalette;
-  Bytes file;
-  file.text("BM").four(kBefore + pixels).four(0).four(kBefore);
-  file.four(kInfoHeader).four(static_cast<size_t>(weave.ends())).four(static_cast<size_t>(weave.picks()));
-  file.two(1).two(1).four(0).four(pixels);  // planes, bits a pixel, no compression
+  LittleEndian file;
+  file.text("BM").u32(kBefore + pixels).u32(0).u32(kBefore);
+  file.u32(kInfoHeader).u32(static_cast<size_t>(weave.ends())).u32(static_cast<size_t>(weave.picks()));
+  file.u16(1).u16(1).u32(0).u32(pixels);  // planes, bits a pixel, no compression
   for (const double per_cm : {fabric.ends_per_cm, fabric.picks_per_cm})
-    file.four(static_cast<size_t>(std::lround(100 * per_cm)));  // pixels to the metre
-  file.four(2).four(2).four(0x00FFFFFF).four(0);                // two colours: white, black
+    file.u32(static_cast<size_t>(std::lround(100 * per_cm)));  // pixels to the metre
+  file.u32(2).u32(2).u32(0x00FFFFFF).u32(0);                   // two colours: white, black
   for (int pick = 0; pick < weave.picks(); ++pick) file.text(bitsOf(weave, pick, length));
-  return file.take();
+  return file.bytes();
 }
 
 }  // namespace loomlight

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/json/json_text.h"
 #include "render/film/image.h"
 
 // How it works. What a part is goes into the file's metadata as JSON: its origin, and its boxes of samples as six
@@ -45,7 +46,7 @@ std::string partText(const PartInfo& info) {
     if (!(info.origin.*member).empty()) text[key] = info.origin.*member;
   for (const SampleBox& box : info.boxes)
     text["boxes"].push_back({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z});
-  return text.dump();
+  return jsonText(text);
 }
 
 /// A text that messages may show; empty where there is none.

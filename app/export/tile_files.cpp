@@ -9,15 +9,12 @@
 #include "app/export/tile.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
+#include "core/fabric/json/json_text.h"
 
 namespace loomlight {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-
-uint8_t byte(float value) {
-  return static_cast<uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
-}
 
 /// A picture of the maps: three bytes a pixel from its index.
 template <class Colour>
@@ -26,7 +23,7 @@ Pixels8 picture(const TileMaps& maps, const Colour& colour) {
   pixels.bytes.reserve(3 * maps.opacity.size());
   for (size_t i = 0; i < maps.opacity.size(); ++i) {
     const Rgb c = colour(i);
-    for (int channel = 0; channel < 3; ++channel) pixels.bytes.push_back(byte(c[channel]));
+    for (int channel = 0; channel < 3; ++channel) pixels.bytes.push_back(byteOf(c[channel]));
   }
   return pixels;
 }
@@ -70,7 +67,7 @@ Image imageOf(const TileMaps& maps) {
 }
 
 std::string hex(const Rgb& colour) {
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.x), byte(colour.y), byte(colour.z));
+  return fmt::format("#{:02x}{:02x}{:02x}", byteOf(colour.x), byteOf(colour.y), byteOf(colour.z));
 }
 
 }  // namespace
@@ -132,7 +129,7 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
           {"white_mm", lowest + range}}},
         {"opacity", {{"file", fileName("_opacity.png")}, {"encoding", "linear"}}},
         {"yarn", {{"file", fileName("_yarn.png")}, {"encoding", "a color a yarn"}, {"yarns", yarns}}}}}};
-  report.json = json.dump(2) + "\n";
+  report.json = jsonText(json, 2) + "\n";
   writeFileAtomically(named(".json"), report.json);
   set.place();
   return report;

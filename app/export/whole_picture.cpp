@@ -25,10 +25,10 @@ std::optional<Film> tracedFilm(const Scene& scene, const Medium& medium, const T
 
 std::optional<WholePicture> renderWhole(std::shared_ptr<const Fabric> fabric, const FibreOptions& fibres,
                                         const Task& task, const Tiling& tiling) {
-  constexpr double kBuildShare = 0.1;  // of the progress
-  const auto scene = makeScene(std::move(fabric), partOf(task, 0, kBuildShare), SceneBase{nullptr, {}, tiling});
-  const auto medium = scene ? makeMedium(*scene, fibres, partOf(task, 0, kBuildShare)) : nullptr;
-  auto film = medium ? tracedFilm(*scene, *medium, partOf(task, kBuildShare, 1)) : std::nullopt;
+  constexpr double kScene = 0.05, kBuilt = 0.1;  // of the progress, where they end
+  const auto scene = makeScene(std::move(fabric), partOf(task, 0, kScene), SceneBase{nullptr, {}, tiling});
+  const auto medium = scene ? makeMedium(*scene, fibres, partOf(task, kScene, kBuilt)) : nullptr;
+  auto film = medium ? tracedFilm(*scene, *medium, partOf(task, kBuilt, 1)) : std::nullopt;
   if (!film) return std::nullopt;
   return WholePicture{scene, std::move(*film)};
 }

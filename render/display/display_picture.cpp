@@ -17,8 +17,7 @@ Pixels8 displayPicture(const Frame& frame, const Tone& tone) {
   const float unexposed = std::exp2(-tone.exposure_stops);
   for (const glm::vec4& pixel : frame.rgba) {
     const Rgb colour = toDisplay(Rgb(pixel) + (1 - pixel.a) * unexposed * tone.background, tone);
-    for (int c = 0; c < 3; ++c)
-      pixels.bytes.push_back(static_cast<uint8_t>(std::lround(255 * std::clamp(colour[c], 0.0f, 1.0f))));
+    for (int c = 0; c < 3; ++c) pixels.bytes.push_back(byteOf(colour[c]));
   }
   return pixels;
 }

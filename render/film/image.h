@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -47,6 +49,10 @@ struct Pixels8 {
   int width = 0, height = 0, channels = 4;
   std::vector<uint8_t> bytes;
 };
+/// The byte that a channel from 0 to 1 becomes; beyond, the nearest there is.
+inline uint8_t byteOf(float channel) {
+  return static_cast<uint8_t>(std::lround(255 * std::clamp(channel, 0.0f, 1.0f)));
+}
 void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text = {},
               double dpi = 0);
 /// `texts`: if wanted, those in it that writePng() can write: UTF-8, not compressed.

@@ -13,6 +13,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/swatches.h"
 #include "core/base/error.h"
+#include "core/fabric/json/json_text.h"
 #include "render/colour/colour_difference.h"
 #include "render/transport/dye_paths.h"
 
@@ -138,7 +139,7 @@ void printJson(const Sample& sample, const Sample* standard, const std::vector<J
     }
     json["illuminants"].push_back(std::move(under));
   }
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  fmt::print("{}\n", jsonText(json, 2));
 }
 
 std::string text(const Lab& lab) {

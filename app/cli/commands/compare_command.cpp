@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/fabric/json/json_text.h"
 #include "render/metrics/comparison.h"
 #include "render/metrics/heat_map.h"
 
@@ -80,7 +81,7 @@ void printJson(const CompareCommand& command, const Measures& measured, const st
   json["pixels_per_degree"] = command.viewing.pixelsPerDegree;
   json["yardstick"] = yardstick ? toJson(*yardstick) : nlohmann::ordered_json(nullptr);
   if (!command.heatMap.empty()) json["heat_map"] = {{"file", command.heatMap}, {"range", {0, command.heatRange}}};
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", jsonText(json, 2));
 }
 
 /// A row: what was measured, and beside it the yardstick.

@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/volume_json.h"
+#include "core/fabric/json/json_text.h"
 #include "core/fabric/model/finish.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/wif_origin.h"
@@ -92,7 +93,7 @@ std::vector<SpunYarn> spunYarns(const Fabric& fabric, const Information& of) {
   for (size_t i = 0; i < of.needs.size(); ++i) {
     if (of.needs[i].warp_m + of.needs[i].weft_m == 0) continue;
     const Yarn& yarn = fabric.yarns[i];
-    const Fibre& fibre = fabric.fibres[static_cast<size_t>(yarn.fibre)];
+    const Fibre fibre = meanFibre(yarn, fabric.fibres);
     spun.push_back({of.yarnNames[i], yarnCount_tex(yarn, fibre), hairinessH(yarn, fibre), yarn.evennessCv_percent});
   }
   return spun;
@@ -385,7 +386,7 @@ int run(const InfoCommand& command) {
   information.pieceEnds = geometry.ends();
   information.piecePicks = geometry.picks();
   if (command.json)
-    fmt::print("{}\n", toJson(fabric, information).dump(2));
+    fmt::print("{}\n", jsonText(toJson(fabric, information), 2));
   else
     printTable(fabric, information);
   return 0;

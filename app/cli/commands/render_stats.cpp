@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/fabric/json/json_text.h"
 #include "core/fabric/model/choice_names.h"
 
 namespace loomlight {
@@ -42,7 +43,7 @@ void writeStats(const std::string& file, const RenderStats& stats) {
                    {"volume", stats.volume.bytes},
                    {"bvdf", stats.medium.bvdfBytes},
                    {"peak_rss", peakMemory()}};
-  writeFileAtomically(file, json.dump(2) + '\n');
+  writeFileAtomically(file, jsonText(json, 2) + '\n');
 }
 
 }  // namespace loomlight

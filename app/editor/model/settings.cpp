@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory.h"
+#include "core/fabric/json/json_text.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/inspector/cloth_colour.h"
 #include "ui/viewport/viewport_panel.h"
@@ -207,7 +208,7 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"recent", recent},
                                {"hints_seen", settings.hintsSeen}};
   // The name of a folder may be no UTF-8, which is no reason to lose the rest.
-  const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string text = jsonText(json, 2);
   std::error_code ignored;  // where the folder cannot be made, writing says so
   std::filesystem::create_directories(file.parent_path(), ignored);
   writeFileAtomically(file.string(), text + "\n");

@@ -7,6 +7,7 @@
 #include "app/export/file_name.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/fabric/json/json_text.h"
 #include "ui/words/error_words.h"
 
 namespace loomlight {
@@ -51,7 +52,7 @@ void PresetTags::set(const std::string& preset, const std::string& tags) {
   std::error_code ignored;  // where the folder cannot be made, writing says so
   fs::create_directories(file_.parent_path(), ignored);
   // Names of files may be no UTF-8.
-  const std::string text = nlohmann::json(changed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string text = jsonText(nlohmann::json(changed), 2);
   putAside();
   writeFileAtomically(file_.string(), text + "\n");
   tags_ = std::move(changed);

@@ -66,8 +66,8 @@ std::optional<HandoverReport> handOver(const HandoverPart& part, const DigitalCl
   const auto cloth = makeDigitalCloth(part.fabric, order, limit_bytes, partOf(task, 0, kMade));
   if (!cloth) return std::nullopt;
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  HandoverReport report = writeHandover(part.folder, portableFileName(part.fabric.name), *cloth, now);
-  task.report(1);
+  auto report = writeHandover(part.folder, portableFileName(part.fabric.name), *cloth, now, task);
+  if (report) task.report(1);
   return report;
 }
 

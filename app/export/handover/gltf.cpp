@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
+#include "core/fabric/json/json_text.h"
 
 namespace loomlight {
 namespace {
@@ -25,10 +26,6 @@ constexpr double kSwatch_mm = 100;
 constexpr float kOpaque = 0.999f;  ///< mean opacity of a cloth whose holes nobody sees
 
 static_assert(std::endian::native == std::endian::little, "glTF has the lowest byte first");
-
-uint8_t byteOf(float value) {
-  return static_cast<uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
-}
 
 /// The binary piece, and the views that divide it.
 class Binary {
@@ -199,7 +196,7 @@ std::string glbBytes(const DigitalCloth& cloth, ClothSide side, const std::strin
                      {"bufferViews", binary.views()},
                      {"buffers", {{{"byteLength", (binary.data().size() + 3) / 4 * 4}}}}};
   std::string pieces;
-  putPiece(pieces, "JSON", json.dump(), ' ');
+  putPiece(pieces, "JSON", jsonText(json), ' ');
   putPiece(pieces, "BIN\0", binary.data(), '\0');
   if (pieces.size() + 12 > std::numeric_limits<uint32_t>::max())
     throw InputError(".glb: expected at most 4 GB, got more; a smaller --size helps");

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/export/file_set.h"
 #include "app/export/handover/cloth_facts.h"
@@ -15,6 +17,7 @@
 #include "app/export/handover/textures.h"
 #include "app/export/handover/u3m.h"
 #include "core/base/file.h"
+#include "core/fabric/json/json_text.h"
 
 namespace loomlight {
 namespace {
@@ -60,39 +63,43 @@ std::string sidecar(const DigitalCloth& cloth, const SideTextures& front, const 
                       "turned over about the vertical axis: column c lies behind column width - 1 - c of the "
                       "front, rows stay"},
                      {"sides", {{"front", sideJson(cloth.front, front)}, {"back", sideJson(cloth.back, back)}}}};
-  return json.dump(2) + "\n";
+  return jsonText(json, 2) + "\n";
 }
 
 }  // namespace
 
-HandoverReport writeHandover(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
-                             std::chrono::sys_seconds now) {
+std::optional<HandoverReport> writeHandover(const std::string& folder, const std::string& name,
+                                            const DigitalCloth& cloth, std::chrono::sys_seconds now, const Task& task) {
   FileSet set(folder, name);
-  HandoverReport report;
-  const auto written = [&](const std::string& file, const std::string& content) {
-    writeFileAtomically(set.add(file), content);
-    report.files.push_back(file);
-  };
-  const SideTextures front = writeTextures(set, name, cloth, ClothSide::front);
-  const SideTextures back = writeTextures(set, name, cloth, ClothSide::back);
+  const SideTextures front = writeTextures(set, name, cloth, ClothSide::front, task);
+  const SideTextures back = writeTextures(set, name, cloth, ClothSide::back, task);
+  if (task.stopped()) return std::nullopt;
 
-  const std::string u3m = u3mText(cloth, front, back, now);
-  std::vector<ArchivedFile> packed{{name + ".u3m", u3m}};
+  HandoverReport report;
+  const std::string u3m = u3mText(cloth, front, back, now), scratch = set.pathOf("scratch.png");
   for (const SideTextures* side : {&front, &back})
-    for (const std::string& file : side->files()) {
-      packed.push_back({file, readFile(set.pathOf(file), std::numeric_limits<size_t>::max())});
-      report.files.push_back(file);
-    }
-  written(name + ".u3m", u3m);
-  written(name + ".u3ma", restrictedZip(packed, now));
-  packed.clear();
-  const std::string scratch = set.pathOf("scratch.png");
-  written(name + ".glb", glbBytes(cloth, ClothSide::front, scratch));
-  written(name + "_back.glb", glbBytes(cloth, ClothSide::back, scratch));
-  written(name + ".mtlx", materialXText(cloth, ClothSide::front, front));
-  written(name + "_back.mtlx", materialXText(cloth, ClothSide::back, back));
-  written(name + ".jfab", jfabText(cloth, front));
-  written(name + ".handover.json", sidecar(cloth, front, back));
+    for (const std::string& file : side->files()) report.files.push_back(file);
+  const auto archive = [&] {
+    std::vector<ArchivedFile> packed{{name + ".u3m", u3m}};
+    for (const std::string& file : report.files)
+      if (file.ends_with(".png"))
+        packed.push_back({file, readFile(set.pathOf(file), std::numeric_limits<size_t>::max())});
+    return restrictedZip(packed, now);
+  };
+  const std::pair<std::string, std::function<std::string()>> others[] = {
+      {name + ".u3m", [&] { return u3m; }},
+      {name + ".u3ma", archive},
+      {name + ".glb", [&] { return glbBytes(cloth, ClothSide::front, scratch); }},
+      {name + "_back.glb", [&] { return glbBytes(cloth, ClothSide::back, scratch); }},
+      {name + ".mtlx", [&] { return materialXText(cloth, ClothSide::front, front); }},
+      {name + "_back.mtlx", [&] { return materialXText(cloth, ClothSide::back, back); }},
+      {name + ".jfab", [&] { return jfabText(cloth, front); }},
+      {name + ".handover.json", [&] { return sidecar(cloth, front, back); }}};
+  for (const auto& [file, content] : others) {
+    writeFileAtomically(set.add(file), content());
+    report.files.push_back(file);
+    if (task.stopped()) return std::nullopt;
+  }
   set.place();
   const FitError &onto = cloth.front.fit.reflected, &ontoBack = cloth.back.fit.reflected;
   report.lines = {fitLine("front", cloth.front.fit), fitLine("back", cloth.back.fit),

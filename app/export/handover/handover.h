@@ -23,8 +23,9 @@ struct HandoverReport {
 /// - NAME.mtlx and NAME_back.mtlx (MaterialX, OpenPBR), which refer to the textures;
 /// - NAME.jfab, for CLO: tried by nobody who has the program;
 /// - NAME.handover.json: sizes, mass, thickness, parameters, errors of the fit, encodings.
-/// `name`: a file's. They are put in their places together (FileSet). Throws InputError.
-HandoverReport writeHandover(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
-                             std::chrono::sys_seconds now);
+/// `name`: a file's. They are put in their places together (FileSet). Nothing when stopped: none is there then. Throws
+/// InputError.
+std::optional<HandoverReport> writeHandover(const std::string& folder, const std::string& name,
+                                            const DigitalCloth& cloth, std::chrono::sys_seconds now, const Task& task);
 
 }  // namespace loomlight

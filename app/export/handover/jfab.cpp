@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/export/handover/cloth_facts.h"
+#include "core/fabric/json/json_text.h"
 
 namespace loomlight {
 namespace {
@@ -42,7 +43,7 @@ std::string jfabText(const DigitalCloth& cloth, const SideTextures& front) {
   json["mapPhysical"] = physical;
   json["mapMaterial2D"] = {
       {"listFaceMaterial", Json::array({{{"v3BaseColor", {1, 1, 1}}, {"listTexture", Json::array({texture})}}})}};
-  return json.dump(2) + "\n";
+  return jsonText(json, 2) + "\n";
 }
 
 }  // namespace loomlight

@@ -46,8 +46,8 @@ class Goniometer {
 
   /// False when stopped.
   bool build(double limit_bytes, const Task& task) {
-    built_ = makeScene(std::make_shared<const Fabric>(fabric_), task);
-    medium_ = built_ ? makeMedium(*built_, {limit_bytes, FibreExtent::automatic}, task) : nullptr;
+    built_ = makeScene(std::make_shared<const Fabric>(fabric_), partOf(task, 0, 0.5));
+    medium_ = built_ ? makeMedium(*built_, {limit_bytes, FibreExtent::automatic}, partOf(task, 0.5, 1)) : nullptr;
     return medium_ != nullptr;
   }
 

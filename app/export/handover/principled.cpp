@@ -144,9 +144,13 @@ SheenAlbedo::SheenAlbedo(float sheenRoughness) {
   }
 }
 
-glm::vec2 ggxSlopes(float roughness, float anisotropy) {
-  const float across = roughness * roughness;
-  return {std::lerp(across, 1.0f, anisotropy * anisotropy), across};
+PointGloss glossAt(const Principled& surface, const PrincipledPoint& at) {
+  return {std::clamp(surface.roughness * at.roughnessScale, 0.05f, 1.0f), surface.anisotropy * at.anisotropyScale};
+}
+
+glm::vec2 ggxSlopes(const PointGloss& gloss) {
+  const float across = gloss.roughness * gloss.roughness;
+  return {std::lerp(across, 1.0f, gloss.anisotropy * gloss.anisotropy), across};
 }
 
 LitPoint::LitPoint(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at)
@@ -154,8 +158,7 @@ LitPoint::LitPoint(const Principled& surface, const SheenAlbedo& sheen, const Pr
       sheen_(sheen),
       at_(at),
       mostSheen_(largest(surface.sheenColour)),
-      alpha_(ggxSlopes(std::clamp(surface.roughness * at.roughnessScale, 0.05f, 1.0f),
-                       surface.anisotropy * at.anisotropyScale)) {
+      alpha_(ggxSlopes(glossAt(surface, at))) {
   const glm::vec3 axis(at.drawnOut, 0);
   along_ = glm::normalize(axis - glm::dot(axis, at.normal) * at.normal);
   across_ = glm::cross(at.normal, along_);

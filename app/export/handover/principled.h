@@ -35,6 +35,13 @@ struct PrincipledPoint {
   Rgb reflected{0}, transmitted{0};  ///< of the diffuse parts, linear
 };
 
+/// The gloss of a point, as it is fitted and as maps have it.
+struct PointGloss {
+  float roughness = 1;   ///< 0.05..1
+  float anisotropy = 0;  ///< 0..1
+};
+PointGloss glossAt(const Principled& surface, const PrincipledPoint& at);
+
 /// A normal whose slopes are `strength` times as steep, 0..1.
 glm::vec3 flattened(glm::vec3 normal, float strength);
 
@@ -58,7 +65,7 @@ class SheenAlbedo {
 };
 
 /// Slopes of the GGX along the drawn-out axis (x) and across it (y).
-glm::vec2 ggxSlopes(float roughness, float anisotropy);
+glm::vec2 ggxSlopes(const PointGloss& gloss);
 
 /// What is seen of a surface, in two parts: gloss with sheen, and what its diffuse colour is multiplied by; 1/sr, or
 /// shares of an even light.

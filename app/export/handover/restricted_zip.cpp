@@ -8,31 +8,12 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/little_endian.h"
 
 namespace loomlight {
 namespace {
 
 constexpr uint16_t kMadeBy = 0x003F, kNeeded = 0x14, kUtf8Names = 1 << 11, kStored = 0;
-
-/// Numbers with the lowest byte first, whatever the processor.
-class Bytes {
- public:
-  Bytes& u16(uint16_t value) { return put(value, 2); }
-  Bytes& u32(uint32_t value) { return put(value, 4); }
-  Bytes& text(const std::string& value) {
-    bytes_ += value;
-    return *this;
-  }
-  size_t size() const { return bytes_.size(); }
-  const std::string& bytes() const { return bytes_; }
-
- private:
-  Bytes& put(uint32_t value, int count) {
-    for (int i = 0; i < count; ++i) bytes_ += static_cast<char>(value >> (8 * i) & 0xFF);
-    return *this;
-  }
-  std::string bytes_;
-};
 
 /// As MS-DOS has them: two seconds a step, from 1980 on.
 struct DosTime {
@@ -51,7 +32,7 @@ struct DosTime {
 };
 
 /// What stands of a file both before its content and in the directory.
-void putCommon(Bytes& to, const ArchivedFile& file, uint32_t crc, const DosTime& time) {
+void putCommon(LittleEndian& to, const ArchivedFile& file, uint32_t crc, const DosTime& time) {
   const auto size = static_cast<uint32_t>(file.content.size());
   to.u16(kNeeded).u16(kUtf8Names).u16(kStored).u16(time.time).u16(time.date).u32(crc).u32(size).u32(size);
   to.u16(static_cast<uint16_t>(file.path.size())).u16(0);
@@ -66,7 +47,7 @@ std::string restrictedZip(std::span<const ArchivedFile> files, std::chrono::sys_
   if (total > std::numeric_limits<uint32_t>::max() || files.size() > std::numeric_limits<uint16_t>::max())
     throw InputError(
         fmt::format(".u3ma: expected at most 4 GB and 65535 files, got {} files with {} bytes", files.size(), total));
-  Bytes archive, directory;
+  LittleEndian archive, directory;
   for (const ArchivedFile& file : files) {
     const auto offset = static_cast<uint32_t>(archive.size());
     const auto crc =

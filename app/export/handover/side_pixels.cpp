@@ -34,8 +34,9 @@ SidePixel sidePixel(const DigitalSide& side, size_t pixel) {
   out.opacity = side.maps.tile.opacity[pixel];
   out.normal = flattened(at.normal, side.fit.normalStrength);
   out.drawnOut = at.drawnOut;
-  out.roughness = std::clamp(side.fit.surface.roughness * at.roughnessScale, 0.05f, 1.0f);
-  out.anisotropy = side.fit.surface.anisotropy * at.anisotropyScale;
+  const PointGloss gloss = glossAt(side.fit.surface, at);
+  out.roughness = gloss.roughness;
+  out.anisotropy = gloss.anisotropy;
   return out;
 }
 
@@ -48,12 +49,12 @@ float rotationOf(glm::vec2 drawnOut) {
 }
 
 DisneyGloss disneyGloss(float roughness, float anisotropy) {
-  const glm::vec2 slopes = ggxSlopes(roughness, anisotropy);
+  const glm::vec2 slopes = ggxSlopes({roughness, anisotropy});
   return {std::pow(slopes.x * slopes.y, 0.25f), std::min(1.0f, (1 - slopes.y / slopes.x) / 0.9f)};
 }
 
 DisneyGloss openPbrGloss(float roughness, float anisotropy) {
-  const glm::vec2 slopes = ggxSlopes(roughness, anisotropy);
+  const glm::vec2 slopes = ggxSlopes({roughness, anisotropy});
   const float ratio = slopes.y / slopes.x;
   return {std::sqrt(slopes.x * std::sqrt((1 + ratio * ratio) / 2)), 1 - ratio};
 }

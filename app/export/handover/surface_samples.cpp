@@ -3,13 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fabric/model/yarn_count.h"
+
 namespace loomlight {
+namespace {
+
+/// Square root of the roughness of a yarn's fibres; of a blend the mean.
+double rootOfRoughness(const Yarn& yarn, const std::vector<Fibre>& fibres) {
+  const auto rootOf = [&](int fibre) { return std::sqrt(fibres[static_cast<size_t>(fibre)].longitudinalRoughness); };
+  if (!yarn.blendFibre) return rootOf(yarn.fibre);
+  return std::lerp(rootOf(yarn.fibre), rootOf(*yarn.blendFibre), blendNumberShare(yarn, fibres));
+}
+
+}  // namespace
 
 std::vector<float> roughnessScales(const SideMaps& side, const Fabric& fabric) {
   std::vector<float> roots;
-  for (const Yarn& yarn : fabric.yarns)
-    roots.push_back(
-        static_cast<float>(std::sqrt(fabric.fibres[static_cast<size_t>(yarn.fibre)].longitudinalRoughness)));
+  for (const Yarn& yarn : fabric.yarns) roots.push_back(static_cast<float>(rootOfRoughness(yarn, fabric.fibres)));
   double sum = 0, weight = 0;
   for (size_t i = 0; i < side.tile.yarn.size(); ++i) {
     if (side.tile.yarn[i] < 0) continue;

@@ -13,8 +13,8 @@ namespace {
 /// Writes pictures of one side, each from a number or a colour of its pixels.
 class TextureWriter {
  public:
-  TextureWriter(FileSet& set, std::string stem, const DigitalCloth& cloth, const DigitalSide& side)
-      : set_(set), stem_(std::move(stem)), dpi_(cloth.dpiX()), tile_(side.maps.tile) {
+  TextureWriter(FileSet& set, std::string stem, const DigitalCloth& cloth, const DigitalSide& side, const Task& task)
+      : set_(set), stem_(std::move(stem)), dpi_(cloth.dpiX()), tile_(side.maps.tile), task_(task) {
     for (size_t i = 0; i < tile_.opacity.size(); ++i) pixels_.push_back(sidePixel(side, i));
   }
 
@@ -23,13 +23,13 @@ class TextureWriter {
   /// `value`: linear, of a pixel.
   template <class Value>
   std::string colour(const char* suffix, const Value& value) const {
+    std::string file = nameOf(suffix);
+    if (task_.stopped()) return file;
     Pixels8 picture{tile_.width, tile_.height, 3, {}};
     for (const SidePixel& pixel : pixels_) {
       const Rgb shown = srgbFromLinear(value(pixel));
-      for (int c = 0; c < 3; ++c)
-        picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * std::clamp(shown[c], 0.0f, 1.0f))));
+      for (int c = 0; c < 3; ++c) picture.bytes.push_back(byteOf(shown[c]));
     }
-    std::string file = nameOf(suffix);
     writePng(set_.add(file), picture, {}, dpi_);
     return file;
   }
@@ -37,13 +37,14 @@ class TextureWriter {
   /// `value`: 0 to 1 in each channel, of a pixel by its number.
   template <class Value>
   std::string numbers(const char* suffix, const Value& value) const {
+    std::string file = nameOf(suffix);
+    if (task_.stopped()) return file;
     Pixels16 picture{tile_.width, tile_.height, 3, {}};
     for (size_t i = 0; i < pixels_.size(); ++i) {
       const glm::vec3 numbers(value(i));
       for (int c = 0; c < 3; ++c)
         picture.values.push_back(static_cast<uint16_t>(std::lround(65535 * std::clamp(numbers[c], 0.0f, 1.0f))));
     }
-    std::string file = nameOf(suffix);
     writePng(set_.add(file), picture, dpi_);
     return file;
   }
@@ -55,6 +56,7 @@ class TextureWriter {
   std::string stem_;
   double dpi_;
   const TileMaps& tile_;
+  const Task& task_;
   std::vector<SidePixel> pixels_;
 };
 
@@ -82,9 +84,10 @@ SideTextures::Means meansOf(const std::vector<SidePixel>& pixels) {
 
 }  // namespace
 
-SideTextures writeTextures(FileSet& set, const std::string& name, const DigitalCloth& cloth, ClothSide side) {
+SideTextures writeTextures(FileSet& set, const std::string& name, const DigitalCloth& cloth, ClothSide side,
+                           const Task& task) {
   const DigitalSide& of = cloth.of(side);
-  const TextureWriter writer(set, name + (side == ClothSide::front ? "_" : "_back_"), cloth, of);
+  const TextureWriter writer(set, name + (side == ClothSide::front ? "_" : "_back_"), cloth, of, task);
   const std::vector<SidePixel>& pixels = writer.pixels();
   const std::vector<float>& height_mm = of.maps.tile.height_mm;
   const auto [low, high] = std::minmax_element(height_mm.begin(), height_mm.end());

@@ -32,7 +32,8 @@ struct SideTextures {
 };
 
 /// Adds them to `set`, in a folder "textures". All have three channels, as U3M asks for, and the size of the tile as
-/// dots per inch. Throws InputError.
-SideTextures writeTextures(FileSet& set, const std::string& name, const DigitalCloth& cloth, ClothSide side);
+/// dots per inch. When stopped, some of them are not there. Throws InputError.
+SideTextures writeTextures(FileSet& set, const std::string& name, const DigitalCloth& cloth, ClothSide side,
+                           const Task& task);
 
 }  // namespace loomlight

@@ -12,6 +12,7 @@
 #include "core/base/checksum.h"
 #include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/json/json_text.h"
 
 namespace loomlight {
 namespace {
@@ -132,7 +133,7 @@ std::string u3mText(const DigitalCloth& cloth, const SideTextures& front, const 
         {"physics", physicsOf(cloth)},
         {"metadata", nullptr}}},
       {"custom", {{"loomlight", {{"front", sideJson(cloth.front, front)}, {"back", sideJson(cloth.back, back)}}}}}};
-  return json.dump(2) + "\n";
+  return jsonText(json, 2) + "\n";
 }
 
 }  // namespace loomlight

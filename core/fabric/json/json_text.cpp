@@ -141,7 +141,7 @@ InputError syntaxError(std::string_view text, const std::string& source, const n
 using Json = nlohmann::ordered_json;
 
 std::string scalar(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return jsonText(value);
 }
 
 bool isShortList(const Json& list) {

@@ -1,6 +1,7 @@
 """`info` says what follows from a fabric."""
 
 import json
+import math
 import re
 
 from harness import ROOT, SAMPLES, CommandLineTest, main
@@ -131,6 +132,15 @@ class Info(CommandLineTest):
         self.assertEqual(yarn["evenness_cv_percent"], 13.5)
         self.assertIn(f"hairiness H {yarn['hairiness_h']:.1f}, CVm 13.5 %",
                       self.run_program("info", file, "--resolution", 1))
+
+    def test_a_blend_is_as_fine_as_its_fibres_are_on_average(self):
+        fibres = [{"radius_um": 5, "density_g_cm3": 1.3}, {"radius_um": 12, "density_g_cm3": 1.5}]
+        yarn = {"fibre": 0, "blend_fibre": 1, "blend_share": 0.4, "plies": 2, "fibres_per_ply": 30}
+        file = self.fabric(yarns=[{"name": "warp", **yarn}, {"name": "weft", **yarn}], fibres=fibres)
+        tex = [1e-3 * fibre["density_g_cm3"] * math.pi * fibre["radius_um"] ** 2 for fibre in fibres]
+        second = 0.4 / tex[1] / (0.6 / tex[0] + 0.4 / tex[1])  # the share is one of mass
+        for told in json.loads(self.run_program("info", file, "--json", "--resolution", 1))["yarns"]:
+            self.assertAlmostEqual(told["count_tex"], 60 * ((1 - second) * tex[0] + second * tex[1]))
 
     def test_the_fabric_that_the_readme_shows_is_one_that_could_be_spun(self):
         text = re.search(r"```json\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL).group(1)

@@ -1,6 +1,7 @@
 """`tile`: maps for other programs."""
 
 import json
+import os
 import struct
 
 from harness import CommandLineTest, main, read_png
@@ -36,6 +37,16 @@ class Tile(CommandLineTest):
             widths[sizes] = sidecar["width_mm"] / sidecar["ends"]
         self.assertAlmostEqual(widths["file"], 10 / 31, delta=0.002)
         self.assertGreater(abs(widths["keep"] - widths["file"]), 0.01)
+
+    def test_a_file_s_name_need_not_be_utf_8(self):
+        """As it comes from an old disk; the cloth in it has no name, and is called after it."""
+        self.run_program("convert", self.fabric(name=""), "draft.wif")
+        draft = os.fsdecode(b"caf\xe9.wif")
+        (self.folder / "draft.wif").rename(self.folder / draft)
+        self.assertIn("caf\ufffd", json.loads(self.run_program("info", draft, "--json"))["name"])
+        self.run_program("tile", draft, "-o", "maps", "--size", "24", "--spp", "1")
+        sidecar, = (self.folder / "maps").glob("*.json")
+        self.assertIn("base_color", json.loads(sidecar.read_text())["maps"])
 
     def test_yarns_are_called_alike_everywhere(self):
         nameless = [{"name": "", "fibre": fibre, "count_tex": tex} for fibre, tex in ((0, 16), (1, 20))]

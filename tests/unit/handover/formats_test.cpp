@@ -46,7 +46,7 @@ class HandedOver : public testing::Test {
     order.fitSamples = 8;
     folder = new test::ScratchFolder;
     cloth = new DigitalCloth(*makeDigitalCloth(fabric, order, 1e9, {}));
-    report = new HandoverReport(writeHandover(folder->path().string(), "two_sides", *cloth, kNoon));
+    report = new HandoverReport(writeHandover(folder->path().string(), "two_sides", *cloth, kNoon, {}).value());
   }
   static void TearDownTestSuite() {
     delete report;
@@ -69,6 +69,14 @@ TEST_F(HandedOver, AllFilesThatAreSaidAreThereAndNoOthers) {
   EXPECT_EQ(there, std::set<std::string>(report->files.begin(), report->files.end()));
   EXPECT_TRUE(there.contains("textures/two_sides_BASE.png"));
   EXPECT_TRUE(there.contains("textures/two_sides_back_NRM.png"));
+}
+
+TEST_F(HandedOver, NothingIsThereOfWhatWasStopped) {
+  const test::ScratchFolder other;
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(writeHandover(other.path().string(), "two_sides", *cloth, kNoon, {stop.get_token(), {}, 0}));
+  EXPECT_TRUE(std::filesystem::is_empty(other.path()));
 }
 
 TEST_F(HandedOver, TheU3mHasEveryKeyOfItsVersionAndSizesThatAgree) {
