@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder with more than this is cut: the list must stay quick to make and to draw.
-constexpr size_t kMostEntries = 5000;
+/// A folder is looked at no further than this: the list must stay quick to make and to draw, whatever else lies there.
+constexpr int kMostLookedAt = 20'000;
 constexpr float kPreviewWidth = 216;
 
 }  // namespace
@@ -46,8 +46,10 @@ void FileBrowser::enter(const fs::path& folder) {
   std::error_code error;
   const fs::path absolute = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
   std::vector<Entry> found;
+  int looked = 0;
   for (fs::directory_iterator it(absolute, fs::directory_options::skip_permission_denied, error), end;
-       !error && it != end && found.size() < kMostEntries; it.increment(error)) {
+       !error && it != end; it.increment(error)) {
+    if (++looked > kMostLookedAt) break;
     const std::string name = it->path().filename().string();
     if (name.empty() || name.front() == '.') continue;
     std::error_code ignored;
@@ -62,6 +64,7 @@ void FileBrowser::enter(const fs::path& folder) {
   if (folder_ != absolute) filter_.clear();
   folder_ = absolute;
   entries_ = std::move(found);
+  isCut_ = looked > kMostLookedAt;
 }
 
 /// The root of all folders holds nobody's work.
@@ -167,6 +170,7 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   }
   const char* const none = purpose_ == Purpose::folder ? words::files::noFolderHere : words::files::nothingHere;
   if (shown.empty()) hint(ui, entries_.empty() ? none : words::common::nothingCalledThat);
+  if (isCut_) textLine(ui, "browser.cut", fmt::format(words::files::tooManyHere, kMostLookedAt), ui.theme.textQuiet);
   ImGui::EndChild();
   ImGui::PopStyleColor(2);
   if (into) enter(*into);

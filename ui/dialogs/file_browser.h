@@ -64,6 +64,7 @@ class FileBrowser {
   std::vector<Bookmark> bookmarks_;
   std::filesystem::path folder_;
   std::vector<Entry> entries_;
+  bool isCut_ = false;  ///< the folder has more than was looked at
   std::string filter_;
   std::string typed_;
   std::string problem_;

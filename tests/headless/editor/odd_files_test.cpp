@@ -141,6 +141,18 @@ TEST_F(FilesThatAreNone, ALinkToItselfIsNotOpened) {
   expectTheCloth();
 }
 
+/// Of a folder with more than anybody would look through as much is listed as takes no time, and it is said.
+TEST_F(FilesThatAreNone, AFolderOfTooMuchIsCut) {
+  const fs::path folder = editor.homeFile("much");
+  fs::create_directory(folder);
+  for (int i = 0; i < 20'001; ++i) test::putBytes((folder / std::to_string(i)).string(), "");
+  editor.key("ctrl+o");
+  editor.until("the browser is open", [&] { return editor.shows("browser.name"); });
+  EXPECT_FALSE(editor.shows("browser.cut"));
+  editor.click("browser.entry/much");
+  editor.until("the folder is said to be cut", [&] { return editor.shows("browser.cut"); });
+}
+
 /// WIF drafts come by mail as texts; what is none of ours is named.
 TEST(DraftByMail, IsReadAsWhatItIs) {
   HeadlessEditor editor{{960, 600, 1}};
