@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <string_view>
 
 #include "app/cli/usage_error.h"
 #include "core/fabric/model/choice_names.h"
@@ -203,6 +206,16 @@ DrapeChoice parseDrape(const std::string& option, const std::string& text) {
 }
 
 LightChoice parseLight(const std::string& option, const std::string& text) {
+  struct Named {
+    std::string_view name;
+    LightKind kind;
+    bool turns = false;
+  };
+  static constexpr Named kLights[] = {{"sky", LightKind::sky, true},     {"directional", LightKind::directional, true},
+                                      {"overcast", LightKind::overcast}, {"window", LightKind::window},
+                                      {"booth", LightKind::booth},       {"dome", LightKind::dome},
+                                      {"point", LightKind::headlight},   {"back", LightKind::back},
+                                      {"furnace", LightKind::furnace}};
   const size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
   const std::string detail = colon == std::string::npos ? "" : text.substr(colon + 1);
@@ -212,34 +225,16 @@ LightChoice parseLight(const std::string& option, const std::string& text) {
     light.file = detail;
     return light;
   }
-  const bool turns = name == "sky" || name == "directional";
-  if (name == "sky") {
-    light.kind = LightKind::sky;
-  } else if (name == "directional") {
-    light.kind = LightKind::directional;
-  } else if (name == "overcast") {
-    light.kind = LightKind::overcast;
-  } else if (name == "window") {
-    light.kind = LightKind::window;
-  } else if (name == "booth") {
-    light.kind = LightKind::booth;
-  } else if (name == "dome") {
-    light.kind = LightKind::dome;
-  } else if (name == "furnace") {
-    light.kind = LightKind::furnace;
-  } else if (name == "back") {
-    light.kind = LightKind::back;
-  } else if (name == "point") {
-    light.kind = LightKind::headlight;
-  } else {
+  const auto named = std::ranges::find(kLights, name, &Named::name);
+  if (named == std::end(kLights))
     refuse(option,
            "ibl, ibl:FILE, sky[:AZ,EL], directional[:AZ,EL], overcast, window, booth, dome, point, back or furnace",
            text);
-  }
+  light.kind = named->kind;
   if (detail.empty()) return light;
   const auto angles = split(detail, ',');
-  if (!turns || angles.size() != 2)
-    refuse(option, turns ? name + ":AZIMUTH,ELEVATION in degrees" : name + " alone", text);
+  if (!named->turns || angles.size() != 2)
+    refuse(option, named->turns ? name + ":AZIMUTH,ELEVATION in degrees" : name + " alone", text);
   const double lowest = light.kind == LightKind::sky ? 1.0 : -90.0;
   light.angles = {parseNumber(option + " (azimuth)", angles[0], -360, 360),
                   parseNumber(option + " (elevation)", angles[1], lowest, 90)};

@@ -77,14 +77,14 @@ WifThreadChoice parseWifThreads(const std::string& option, const std::string& te
 /// front, top, close, macro, side, or AZ,EL[,DISTANCE] in degrees and mm.
 ViewChoice parseView(const std::string& option, const std::string& text);
 
-/// flat, cylinder, sphere, or the name of a mesh. Kind and file; the rest is the drape's own.
+/// flat, cylinder, sphere, folds, cushion, skirt, or the name of a mesh. Kind and file; the rest is the drape's own.
 struct DrapeChoice {
   DrapeKind kind = DrapeKind::flat;
   std::string file;
 };
 DrapeChoice parseDrape(const std::string& option, const std::string& text);
 
-/// ibl, ibl:FILE, dome, point, furnace, back, sky[:AZ,EL], directional[:AZ,EL].
+/// ibl[:FILE], sky[:AZ,EL], directional[:AZ,EL], overcast, window, booth, dome, point, back or furnace.
 struct LightChoice {
   LightKind kind = LightKind::sky;
   std::string file;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/fabric/model/height_seen.h"
+
 namespace loomlight {
 namespace {
 
@@ -16,11 +18,6 @@ const Preset kPresets[] = {
     {"front", {-90, 50, {}, {}}}, {"top", {-90, 90, {}, {}}},  {"side", {-90, 15, {}, {}}},
     {"close", {-90, 50, {}, 12}}, {"macro", {-90, 90, {}, 4}},
 };
-
-// An orthographic camera (no field of view) shows the height that 20 degrees would.
-double halfAngle(const Camera& camera) {
-  return (camera.fov_deg > 0 ? camera.fov_deg : 20.0) * kPi / 360.0;
-}
 
 // Where the line through `point` along `direction` meets the mesh last, seen along the direction: what a camera
 // standing there sees in the middle of its picture. The point itself where the line misses.
@@ -71,19 +68,19 @@ Camera cameraOf(const ViewChoice& view, const Fabric& fabric, const DrapeMesh& d
   const double azimuth = view.azimuth_deg * kPi / 180, elevation = view.elevation_deg * kPi / 180;
   const glm::dvec3 towardsEye(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                               std::sin(elevation));
-  const double half = halfAngle(camera);
+  const double tallest = 0.5 * heightSeenPerDistance(camera);  // for each millimetre of distance
 
   if (view.seenPitches) {
     camera.target_mm = outermost(drape, middle, towardsEye);
     const double pitch = 0.5 * (fabric.warpPitch_mm() + fabric.weftPitch_mm());
-    camera.distance_mm = 0.5 * *view.seenPitches * pitch / std::tan(half);
+    camera.distance_mm = 0.5 * *view.seenPitches * pitch / tallest;
   } else if (view.distance_mm) {
     camera.distance_mm = *view.distance_mm;
   } else {
-    // Near enough that the outline just fits: every point p needs |vertical offset| <= (distance - depth) tan(half).
+    // Near enough that the outline just fits: every point p needs |vertical offset| <= (distance - depth) tallest.
     const glm::dvec3 right(-std::sin(azimuth), std::cos(azimuth), 0);
     const glm::dvec3 up = glm::cross(towardsEye, right);
-    const double tallest = std::tan(half), widest = tallest * fabric.render.width / fabric.render.height;
+    const double widest = tallest * fabric.render.width / fabric.render.height;
     double distance = 0;
     for (const glm::vec3& position : drape.positions) {
       const glm::dvec3 p = glm::dvec3(position) - middle;

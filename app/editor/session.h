@@ -107,7 +107,7 @@ class Session {
             {draft_.view().back, viewport_.flatView(), document_.document().judgedUnder()},
             viewport_.tone(document_.fabric()->light)};
   }
-  void tellProbe(Ui& ui) const;
+  void tellProbe(Ui& ui);
 
   // session.cpp: what is done
   void readKeys();

@@ -90,7 +90,7 @@ void Session::drawDraft(Ui& ui) {
 void Session::drawViewport(Ui& ui) {
   ViewportController::Edit edit =
       viewport_.draw(ui, document_.fabric(), draft_.view().hovered, profiles_.proof(), settings_.limits.fibreMemory_GB);
-  help_.hints.turned |= edit.turned;
+  help_.hints.turned |= edit.orbited;
   if (edit.fabric) document_.edit(std::move(*edit.fabric));
   if (edit.camera) look(*edit.camera);
   if (edit.yarn) inspector_.view().yarn = *edit.yarn;
@@ -196,7 +196,7 @@ bool Session::dialogIsOpen() const {
 /// What is unsafe comes before what is worth knowing of the cloth.
 StatusModel Session::statusToSay() const {
   const ViewService& seen = viewport_.service();
-  StatusModel model = statusModel(seen.stats().get(), seen.status(), seen.visibilityStatus(), seen.frame());
+  StatusModel model = statusModel(seen.stats().get(), seen.status(), seen.visibilityStatus(), seen.frame().get());
   const Light& light = document_.fabric()->light;
   if (light.illuminant != StandardIlluminant::d65)
     model.lamp = fmt::format(words::status::lamp, lampWord(light.illuminant));
@@ -213,7 +213,7 @@ StatusModel Session::statusToSay() const {
   return model;
 }
 
-void Session::tellProbe(Ui& ui) const {
+void Session::tellProbe(Ui& ui) {
   if (!ui.probe.watching()) return;
   const Document& document = document_.document();
   ui.probe.fact("frame", std::to_string(ImGui::GetFrameCount()));

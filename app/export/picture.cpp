@@ -29,7 +29,7 @@ Fabric fabricInTexts(const std::map<std::string, std::string>& texts, const std:
 
 std::map<std::string, std::string> exrTexts(const Film& film, const Fabric& fabric, const std::string& file) {
   return {{kFabricKey, fabricToJson(localNames(fabric, file))},
-          {kSamplesKey, std::to_string(fewestSamples(film))},
+          {kSamplesKey, std::to_string(film.fewestSamples(film.window()))},
           {kVersionKey, LOOMLIGHT_VERSION}};
 }
 
@@ -57,13 +57,6 @@ void writePicture(const std::string& file, const Film& film, const Fabric& fabri
 
 Fabric fabricOfPicture(const std::string& file) {
   return fabricInTexts(readExr(file).metadata, file);
-}
-
-uint32_t fewestSamples(const Film& film) {
-  uint32_t fewest = film.samples(0, 0);
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) fewest = std::min(fewest, film.samples(x, y));
-  return fewest;
 }
 
 }  // namespace loomlight

@@ -29,7 +29,4 @@ Fabric fabricInTexts(const std::map<std::string, std::string>& texts, const std:
 /// Those of an .exr of ours.
 Fabric fabricOfPicture(const std::string& file);
 
-/// Samples that every pixel has at least.
-uint32_t fewestSamples(const Film& film);
-
 }  // namespace loomlight

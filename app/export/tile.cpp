@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/hash.h"
+#include "core/fabric/model/height_seen.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/yarn_edit.h"
 #include "render/display/denoise.h"
@@ -37,11 +38,6 @@ int64_t twistPeriod(const ClothGeometry& geometry, System system) {
     period = std::lcm(period, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
   }
   return period;
-}
-
-/// The camera of a picture without perspective sees, at a distance of one, twice the tangent of ten degrees.
-double heightSeenAtOne() {
-  return 2 * std::tan(10 * kPi / 180);
 }
 
 /// An odd number of tiles side by side, so that one is in the middle with a margin around it.
@@ -140,7 +136,7 @@ Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide
   scene.camera.elevation_deg = side == ClothSide::front ? 90 : -90;
   scene.camera.azimuth_deg = side == ClothSide::front ? -90 : 90;  // whose picture has y upwards
   scene.camera.fov_deg = 0;
-  scene.camera.distance_mm = height_mm / heightSeenAtOne();
+  scene.camera.distance_mm = height_mm / heightSeenPerDistance(scene.camera);
   return scene;
 }
 
@@ -173,7 +169,7 @@ TileMaps tileMaps(const Film& film, const Fabric& scene, int threads) {
     const int w = maps.width, h = maps.height;
     return maps.height_mm[static_cast<size_t>((y + h) % h) * static_cast<size_t>(w) + static_cast<size_t>((x + w) % w)];
   };
-  const auto pixel_mm = static_cast<float>(scene.camera.distance_mm * heightSeenAtOne() / maps.height);
+  const auto pixel_mm = static_cast<float>(heightSeen_mm(scene.camera) / maps.height);
   for (int y = 0; y < maps.height; ++y)
     for (int x = 0; x < maps.width; ++x) {
       // Sobel's differences: along one axis, smoothed across it.

@@ -64,7 +64,7 @@ void Refinement::look(const PixelRect& window) {
   history_.height = window.height;
   pass_.reset();
   standIn_.reset();
-  history_.samples = fineBegun_ ? fewestSamples(fine_, window) : 0;
+  history_.samples = fineBegun_ ? fine_.fewestSamples(window) : 0;
   history_.divider = history_.samples > 0 ? 1 : 0;
   start_ = Clock::now();
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/rgb.h"
+#include "render/film/film.h"
 #include "render/metrics/heat_map.h"
-#include "render/transport/path_tracer.h"
 
 namespace loomlight {
 namespace {
@@ -43,7 +43,7 @@ std::vector<Rgb> differenceScale(int steps) {
 
 std::optional<Difference> differenceOf(const Film& picture, const Film& truth, const PixelRect& window) {
   constexpr uint32_t kFewest = 2;  // a spread can be seen
-  if (fewestSamples(picture, window) < kFewest || fewestSamples(truth, window) < kFewest) return std::nullopt;
+  if (picture.fewestSamples(window) < kFewest || truth.fewestSamples(window) < kFewest) return std::nullopt;
   const int width = window.width, height = window.height;
   double truthSum = 0;
   const AreaSums differences(width, height, [&](int x, int y) {

@@ -118,8 +118,11 @@ Film Film::cropped(const PixelRect& window) const {
   return part;
 }
 
-void Film::clear() {
-  std::fill(pixels_.begin(), pixels_.end(), Pixel{});
+uint32_t Film::fewestSamples(const PixelRect& window) const {
+  uint32_t fewest = maxSamples;
+  for (int y = window.y; y < window.y + window.height; ++y)
+    for (int x = window.x; x < window.x + window.width; ++x) fewest = std::min(fewest, samples(x, y));
+  return fewest;
 }
 
 /// The sum of all samples, in quanta.

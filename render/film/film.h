@@ -47,6 +47,7 @@ class Film {
   Film(int width, int height);
   int width() const { return width_; }
   int height() const { return height_; }
+  PixelRect window() const { return {0, 0, width_, height_}; }  ///< all of it
 
   void add(int x, int y, uint32_t sampleIndex, const PathSample& sample);
   /// The sums of another film, whose samples are others than ours and whose top left is our pixel x, y; all of it lies
@@ -54,10 +55,11 @@ class Film {
   void merge(const Film& other, int x = 0, int y = 0);
   /// The pixels of a window of it.
   Film cropped(const PixelRect& window) const;
-  void clear();
 
   // Of a pixel; all zero where it has no samples yet, as after a stopped pass.
   uint32_t samples(int x, int y) const { return at(x, y).samples; }
+  /// That every pixel of a window has at least; maxSamples where it has no pixel.
+  uint32_t fewestSamples(const PixelRect& window) const;
   Rgb mean(int x, int y) const;
   float alpha(int x, int y) const;
   /// Of the luminance of the mean, estimated from the spread of the samples; 0 with fewer than two.

@@ -96,9 +96,6 @@ class LongitudinalLobes {
     return {sine, cosine};
   }
 
-  /// Bytes of the tables.
-  size_t bytes() const { return (outgoing_.size() + incoming_.size()) * sizeof(Float32x4); }
-
  private:
   static constexpr size_t kModes = 4;
   static constexpr size_t kRows = 512;

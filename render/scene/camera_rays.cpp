@@ -3,11 +3,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/fabric/model/height_seen.h"
+
 namespace loomlight {
 namespace {
-
-/// What an orthographic camera sees is as high as what a perspective one with this field of view sees at the target.
-constexpr double kOrthographicFov_deg = 20.0;
 
 constexpr double radians(double degrees) {
   return degrees * kPi / 180.0;
@@ -27,7 +26,7 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
   forward_ = -outward;
   right_ = right;
   up_ = glm::cross(outward, right);
-  const double slope = std::tan(radians(0.5 * (orthographic_ ? kOrthographicFov_deg : camera.fov_deg)));
+  const double slope = 0.5 * heightSeenPerDistance(camera);
   halfHeight_ = static_cast<float>(orthographic_ ? camera.distance_mm * slope : slope);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/fabric/model/height_seen.h"
 #include "core/fabric/yarn/yarn_edit.h"
 #include "core/geometry/cloth/cloth_geometry.h"
 #include "render/transport/path_tracer.h"
@@ -48,17 +49,17 @@ View viewFrom(const HalfDomeGrid& grid, size_t camera, double window, double hal
   const double cosine = std::cos(inclination_deg * kRadians), sine = std::sin(inclination_deg * kRadians);
   const double pixel = window / kPixels;
   View view;
+  view.camera.fov_deg = 0;
   view.columns = kPixels;
   view.rows = std::max(1, static_cast<int>(std::lround(kPixels * cosine)));
   // So far off that all of the picture's plane lies above the cloth. What an orthographic camera shows grows with its
   // distance, so the picture grows too, and only its middle is looked at.
   // A pixel is seen by what lies half a pixel beyond it, too (TriangleFilter).
   const double clear = (1.01 * halfThickness_mm + 0.5 * (view.rows + 1) * pixel * sine) / cosine + pixel;
-  const double seenPerDistance = 2 * std::tan(10 * kRadians);
+  const double seenPerDistance = heightSeenPerDistance(view.camera);
   view.height = std::max(view.rows, static_cast<int>(std::ceil(clear * seenPerDistance / pixel)));
   view.height += (view.height - view.rows) & 1;
   view.width = view.columns;
-  view.camera.fov_deg = 0;
   view.camera.azimuth_deg = azimuth_deg;
   view.camera.elevation_deg = (grid.underneath ? -1 : 1) * (90 - inclination_deg);
   view.camera.distance_mm = view.height * pixel / seenPerDistance;

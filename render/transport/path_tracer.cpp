@@ -164,11 +164,4 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
   return result;
 }
 
-uint32_t fewestSamples(const Film& film, const PixelRect& window) {
-  uint32_t fewest = Film::maxSamples;
-  for (int y = window.y; y < window.y + window.height; ++y)
-    for (int x = window.x; x < window.x + window.width; ++x) fewest = std::min(fewest, film.samples(x, y));
-  return fewest;
-}
-
 }  // namespace loomlight

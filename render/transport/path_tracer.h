@@ -91,7 +91,4 @@ struct PassOptions {
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, const PassOptions& options = {});
 
-/// Samples that every pixel of the window has at least.
-uint32_t fewestSamples(const Film& film, const PixelRect& window);
-
 }  // namespace loomlight

@@ -11,6 +11,7 @@
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/widgets/picture_card.h"
 #include "ui/words/common_words.h"
 #include "ui/words/dialog_words.h"
 
@@ -51,32 +52,19 @@ void ColourwaysDialog::fitPictures(const Ui& ui, ImVec2 room, int count) {
 
 void ColourwaysDialog::card(Ui& ui, int index, const char* name, ImTextureID picture,
                             const std::vector<ImVec4>& colours) {
-  const ImVec2 min = ImGui::GetCursorScreenPos();
-  const float width = pictureSize_.x, height = pictureSize_.y, line = ImGui::GetFrameHeight();
-  const std::string id = fmt::format("colourways.card_{}", index);
-  const ImVec2 max(min.x + width, min.y + height + line);
-  if (ImGui::InvisibleButton(id.c_str(), ImVec2(width, height + line))) chosen_ = index;
-  ui.probe.recordItem(id);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
-  const ImVec2 corner(max.x, min.y + height);
-  if (picture)
-    draw.AddImageRounded(picture, min, corner, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE, ui.px(4),
-                         ImDrawFlags_RoundCornersTop);
-  else
-    draw.AddRectFilled(min, corner, packed(ui.theme.surround), ui.px(4), ImDrawFlags_RoundCornersTop);
-  const float pad = ui.px(8), swatch = ui.px(kSwatch);
-  float x = max.x - pad - swatch * static_cast<float>(std::min<size_t>(colours.size(), 6));
-  const float y = corner.y + 0.5f * (line - swatch);
-  std::string cut;
-  const std::string text = fitted(ui, id, name, x - min.x - 2 * pad, cut);
-  draw.AddText(ImVec2(min.x + pad, corner.y + 0.5f * (line - ImGui::GetFontSize())), packed(ui.theme.text),
-               text.c_str());
-  for (size_t i = 0; i < std::min<size_t>(colours.size(), 6); ++i, x += swatch)
-    draw.AddRectFilled(ImVec2(x, y), ImVec2(x + swatch, y + swatch), packed(colours[i]));
-  if (index == chosen_ || ImGui::IsItemHovered())
-    draw.AddRect(min, max, packed(index == chosen_ ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
-  tooltipFor(ui, id.c_str(), min, max, cut.c_str());
+  const size_t swatches = std::min<size_t>(colours.size(), 6);
+  const float pad = ui.px(8), swatch = ui.px(kSwatch), room = swatch * static_cast<float>(swatches);
+  const DrawnCard drawn = pictureCard(ui, {.id = fmt::format("colourways.card_{}", index),
+                                           .picture = pictureSize_,
+                                           .texture = picture,
+                                           .name = name,
+                                           .isChosen = index == chosen_,
+                                           .right = room + pad});
+  if (drawn.isPressed) chosen_ = index;
+  float x = drawn.corner.x - pad - room;
+  const float y = drawn.corner.y + 0.5f * (ImGui::GetFrameHeight() - swatch);
+  for (size_t i = 0; i < swatches; ++i, x += swatch)
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, y), ImVec2(x + swatch, y + swatch), packed(colours[i]));
 }
 
 void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const ColourwayLooks& looks, ImVec2 size) {

@@ -39,7 +39,6 @@ class SnapshotDialog {
   void show(const RenderSettings& settings, std::string file);
   void setFile(std::string file) { file_ = std::move(file); }
   const std::string& file() const { return file_; }
-  const RenderSettings& settings() const { return settings_; }
   const SnapshotOptions& options() const { return options_; }
   void setOptions(SnapshotOptions options) { options_ = std::move(options); }
   bool isOpen() const { return open_; }

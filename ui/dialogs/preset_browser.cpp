@@ -9,6 +9,7 @@
 #include "core/fabric/wif/wif_values.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/modal.h"
+#include "ui/widgets/picture_card.h"
 #include "ui/words/common_words.h"
 #include "ui/words/menu_words.h"
 #include "ui/words/preset_words.h"
@@ -45,37 +46,21 @@ void PresetBrowser::renamed(const std::string& name) {
   if (!chosen_) chosen_ = {true, newName_ = name};
 }
 
-void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
-  const ImVec2 min = ImGui::GetCursorScreenPos();
-  const float width = ui.px(kCardWidth), height = ui.px(kPictureHeight), line = ImGui::GetFrameHeight();
-  const ImVec2 max(min.x + width, min.y + height + line), corner(max.x, min.y + height);
-  const std::string id = "presets.card/" + card.name;
-  ImGui::PushID(static_cast<int>(index));
-  bool chosen = chosen_ && chosen_->is(card);
-  if (ImGui::InvisibleButton("card", ImVec2(width, height + line)) && !chosen) {
-    chosen = true;
-    chosen_ = {card.own, card.name};
-    newName_ = card.name;
-    newTags_ = card.tags;
-  }
-  ImGui::PopID();
-  ui.probe.recordItem(id);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
-  if (card.picture)
-    draw.AddImageRounded(card.picture, min, corner, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE, ui.px(4),
-                         ImDrawFlags_RoundCornersTop);
-  else
-    draw.AddRectFilled(min, corner, packed(ui.theme.surround), ui.px(4), ImDrawFlags_RoundCornersTop);
-  std::string cut;
-  const std::string text = fitted(ui, id, card.name.c_str(), width - ui.px(16), cut);
-  draw.AddText(ImVec2(min.x + ui.px(8), corner.y + 0.5f * (line - ImGui::GetFontSize())),
-               packed(card.own ? ui.theme.text : ui.theme.textQuiet), text.c_str());
-  if (chosen || ImGui::IsItemHovered())
-    draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
+void PresetBrowser::card(Ui& ui, const PresetCard& card) {
+  const bool isChosen = chosen_ && chosen_->is(card);
   const std::string about =
       card.tags.empty() ? card.about : card.about + fmt::format(words::presets::tagsBelow, card.tags);
-  tooltipFor(ui, id.c_str(), min, max, tooltipWith(cut, about.c_str()).c_str());
+  const DrawnCard drawn = pictureCard(ui, {.id = "presets.card/" + card.name,
+                                           .picture = ImVec2(ui.px(kCardWidth), ui.px(kPictureHeight)),
+                                           .texture = card.picture,
+                                           .name = card.name.c_str(),
+                                           .isChosen = isChosen,
+                                           .isQuiet = !card.own,
+                                           .about = about});
+  if (!drawn.isPressed || isChosen) return;
+  chosen_ = {card.own, card.name};
+  newName_ = card.name;
+  newTags_ = card.tags;
 }
 
 void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBrowserEdit& edit) {
@@ -86,7 +71,9 @@ void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBro
   for (size_t i = 0; i < cards.size(); ++i) {
     if (!matchesSearch(cards[i].name + " " + cards[i].about + " " + cards[i].tags, search_)) continue;
     if (shown++ % perLine != 0) ImGui::SameLine();
-    card(ui, i, cards[i]);
+    ImGui::PushID(static_cast<int>(i));
+    card(ui, cards[i]);
+    ImGui::PopID();
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.use = i;
   }
   ImGui::PopStyleVar();

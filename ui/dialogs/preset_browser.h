@@ -44,7 +44,7 @@ class PresetBrowser {
  private:
   void head(Ui& ui);
   void grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBrowserEdit& edit);
-  void card(Ui& ui, size_t index, const PresetCard& card);
+  void card(Ui& ui, const PresetCard& card);
   void actions(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange, PresetBrowserEdit& edit);
 
   bool open_ = false, opening_ = false;

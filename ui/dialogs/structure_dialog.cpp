@@ -41,17 +41,20 @@ bool lookAlike(const ImVec4 (&darkLight)[2]) {
   return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)}) < kHardlySeen;
 }
 
-/// What the structure is in numbers, or why there is none: three lines always, so that the rows below stay where they
-/// are.
-void sayFacts(Ui& ui, const MadeStructure& made) {
-  const Floats f = floats(made.weave);
-  std::string facts = fmt::format(words::structures::facts, made.weave.ends(), made.weave.picks(), f.warp(), f.weft());
-  if (const auto draft = smallestDraft(made.weave, 256))
-    facts += fmt::format(words::structures::andShafts, draft->shafts);
-  if (const auto code = isoWeaveCode(made.weave)) facts += fmt::format(words::structures::andIsoCode, *code);
-  const bool fails = !made.problem.empty();
+/// What a structure is in numbers.
+std::string factsOf(const Weave& weave) {
+  const Floats f = floats(weave);
+  std::string facts = fmt::format(words::structures::facts, weave.ends(), weave.picks(), f.warp(), f.weft());
+  if (const auto draft = smallestDraft(weave, 256)) facts += fmt::format(words::structures::andShafts, draft->shafts);
+  if (const auto code = isoWeaveCode(weave)) facts += fmt::format(words::structures::andIsoCode, *code);
+  return facts;
+}
+
+/// These, or why there is none: three lines always, so that the rows below stay where they are.
+void sayFacts(Ui& ui, const std::string& facts, const std::string& problem) {
+  const bool fails = !problem.empty();
   ImGui::BeginChild("structures.facts", ImVec2(0, 3 * ui.fonts.small->FontSize));
-  hint(ui, fails ? made.problem : facts, fails ? ui.theme.warning : ui.theme.textQuiet);
+  hint(ui, fails ? problem : facts, fails ? ui.theme.warning : ui.theme.textQuiet);
   ImGui::EndChild();
 }
 
@@ -66,7 +69,13 @@ bool parameterRow(Ui& ui, const StructureParameter& parameter, int& value) {
 void StructureDialog::choose(size_t kind) {
   kind_ = kind;
   values_ = structureLibrary()[kind].startValues();
-  made_ = structureLibrary()[kind].make(values_);
+  make();
+}
+
+/// The kind that is chosen, with its parameters as they are.
+void StructureDialog::make() {
+  made_ = structureLibrary()[kind_].make(values_);
+  facts_ = factsOf(made_.weave);
 }
 
 void StructureDialog::drawKinds(Ui& ui, const ImVec4 (&darkLight)[2], float width, float height, bool& apply) {
@@ -110,11 +119,11 @@ void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selectio
   ImGui::PushFont(ui.fonts.strong);
   textLine(ui, "structures.title", made_.name, ui.theme.text);
   ImGui::PopFont();
-  sayFacts(ui, made_);
+  sayFacts(ui, facts_, made_.problem);
   ui.probe.fact("structures.name", made_.name);
   ui.probe.fact("structures.problem", made_.problem);
   for (size_t i = 0; i < kind.parameters.size(); ++i)
-    if (parameterRow(ui, kind.parameters[i], values_[i])) made_ = kind.make(values_);
+    if (parameterRow(ui, kind.parameters[i], values_[i])) make();
   hint(ui, kind.about);
   const bool hidden = alike && !made_.warpColours.empty();
   ui.probe.fact("structures.alike", hidden ? "yes" : "no");

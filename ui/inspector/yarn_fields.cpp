@@ -115,11 +115,13 @@ bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn, std::o
   if (segmentField(ui, {"yarn.mass_by", words::yarnPage::massBy}, words::yarnPage::massWays, way)) {
     changed = true;
     if (way == 0) {
-      yarn.count_tex = std::clamp(yarnCount_tex(yarn, fibre), 0.5, 5000.0);
+      const FieldInfo range = fieldInfo(&Yarn::count_tex);
+      yarn.count_tex = std::clamp(yarnCount_tex(yarn, fibre), range.min, range.max);
       yarn.fibresPerPly.reset();
     } else {
-      yarn.fibresPerPly =
-          std::clamp(static_cast<int>(std::lround(fibresInYarn(yarn, fibre) / singlesIn(yarn))), 1, 2000);
+      const FieldInfo range = fieldInfo(&Yarn::fibresPerPly);
+      const double fibres = std::round(fibresInYarn(yarn, fibre) / singlesIn(yarn));
+      yarn.fibresPerPly = static_cast<int>(std::clamp(fibres, range.min, range.max));
     }
   }
   if (yarn.fibresPerPly) {

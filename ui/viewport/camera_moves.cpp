@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fabric/model/height_seen.h"
+
 namespace loomlight {
 namespace {
 
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kZoomPerClick = 0.14;
-constexpr double kOrthographicFov_deg = 20.0;  ///< the height an orthographic camera sees, see Camera
 
 double radians(double degrees) {
   return degrees * kPi / 180.0;
@@ -25,13 +26,9 @@ Axes axesOf(const Camera& camera) {
   return {right, glm::cross(right, forward)};
 }
 
-double halfFov(const Camera& camera) {
-  return radians(camera.fov_deg > 0 ? camera.fov_deg : kOrthographicFov_deg) / 2;
-}
-
 /// Millimetres per pixel at the target.
 double pixelSize_mm(const Camera& camera, int height) {
-  return 2.0 * camera.distance_mm * std::tan(halfFov(camera)) / std::max(height, 1);
+  return heightSeen_mm(camera) / std::max(height, 1);
 }
 
 /// Half extents of the drape, for a sphere around it.
@@ -88,10 +85,6 @@ Camera turnedTo(const Camera& camera, Viewpoint viewpoint) {
   return turned;
 }
 
-double heightSeen_mm(const Camera& camera) {
-  return pixelSize_mm(camera, 1);
-}
-
 Camera atScale(const Camera& camera, int height, double pixels_per_mm) {
   Camera moved = camera;
   moved.distance_mm = std::clamp(camera.distance_mm / (pixels_per_mm * pixelSize_mm(camera, height)), 0.1, 100000.0);
@@ -108,7 +101,7 @@ Camera fitted(const Camera& camera, const Drape& drape, double aspect, const Mes
   constexpr double kMargin = 1.02;
   Camera moved = camera;
   moved.target_mm = hasOwnExtent(drape) ? mesh.centre_mm : glm::dvec3(0.0);
-  const double half = std::atan(std::tan(halfFov(camera)) * std::min(1.0, aspect));
+  const double half = std::atan(0.5 * heightSeenPerDistance(camera) * std::min(1.0, aspect));
   moved.distance_mm = std::clamp(kMargin * radiusOf(drape, mesh) / std::sin(half), 0.1, 100000.0);
   return moved;
 }

@@ -14,8 +14,6 @@ Camera zoomed(const Camera& camera, double clicks, double x, double y, int heigh
 enum class Viewpoint { above, aslant, grazing };
 /// Turns about what the camera looks at; picks go up the screen.
 Camera turnedTo(const Camera& camera, Viewpoint viewpoint);
-/// Millimetres of what the camera looks at, from the top of the picture to its bottom.
-double heightSeen_mm(const Camera& camera);
 /// From as far as shows a millimetre of cloth as so many pixels of a picture `height` pixels high.
 Camera atScale(const Camera& camera, int height, double pixels_per_mm);
 /// Straight from above on a flat piece about the middle of the scene, all of it. `aspect`: of the picture.

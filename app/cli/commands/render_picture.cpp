@@ -15,6 +15,7 @@
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
+#include "core/fabric/json/json_text.h"
 #include "core/fabric/model/validate.h"
 #include "render/scene/fibre_extent.h"
 #include "render/scene/processor_kind.h"
@@ -61,7 +62,7 @@ Begun goOn(const RenderCommand& command, PicturePart part, const std::shared_ptr
   if (wanted.window() != has.window() || wanted.low.z != has.low.z)
     throw UsageError(fmt::format("--crop and --samples-from: expected those of {}, or neither: {}", command.resume,
                                  inWords(part.info.boxes.front())));
-  const uint32_t samples = fewestSamples(part.film);
+  const uint32_t samples = part.film.fewestSamples(part.film.window());
   if (static_cast<int>(samples) >= wanted.high.z - wanted.low.z)
     throw UsageError(fmt::format("--spp: expected more than the {} samples that {} already has, got {}", samples,
                                  command.resume, settings.samplesPerPixel));
@@ -107,7 +108,7 @@ bool trace(const ReusableCloth& built, Begun& picture, Task task, ProgressStyle 
                                        {.window = picture.box.window(), .firstSample = firstSample});
     counts += pass.counts;
     // A stop that comes with the last path leaves nothing to go on with.
-    if (!pass.complete) return fewestSamples(picture.film, picture.box.window()) >= samples;
+    if (!pass.complete) return picture.film.fewestSamples(picture.box.window()) >= samples;
     done += batch;
     progress.update(static_cast<double>(done - first) / (samples - first));
     const double seconds = watch.lap();
@@ -220,7 +221,7 @@ void tellWritten(const RenderOrder& job, uint32_t samples, bool complete, double
                                     {"samples_per_pixel", samples},
                                     {"complete", complete},
                                     {"seconds", seconds}};
-  fmt::print(stderr, "{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  fmt::print(stderr, "{}\n", jsonText(line));
 }
 
 }  // namespace
@@ -272,7 +273,7 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
   write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(), origin);
   const double total_s = whole.lap();
-  const uint32_t samples = fewestSamples(picture.film, window);
+  const uint32_t samples = picture.film.fewestSamples(window);
   if (!job.stats.empty()) {
     writeStats(job.stats,
                {settings.method, window.width, window.height, static_cast<int>(samples), task.threads,

@@ -56,8 +56,7 @@ RenderService::Work HandoverController::workOn(const Fabric& fabric) const {
 }
 
 void HandoverController::follow(Ui& ui, ViewService& seen) {
-  if (rendering_.isRunning()) ui.wakeWithin(0.1);
-  if (rendering_.follow().has_value()) seen.pause(ViewService::Rival::handover, false);
+  rendering_.follow(ui, seen);
 }
 
 bool HandoverController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
@@ -72,8 +71,7 @@ bool HandoverController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   if (dialog_.folder() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (!result.start || rendering_.isRunning()) return result.chooseFolder;
-  seen.pause(ViewService::Rival::handover, true);
-  rendering_.start(workOn(fabric));
+  rendering_.start(workOn(fabric), seen);
   return result.chooseFolder;
 }
 

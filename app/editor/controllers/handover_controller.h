@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/editor/services/render_service.h"
+#include "app/editor/controllers/rival_render.h"
 #include "app/editor/services/tile_size_service.h"
 #include "app/editor/services/view_service.h"
 #include "ui/dialogs/handover_dialog.h"
@@ -29,7 +29,7 @@ class HandoverController {
  private:
   RenderService::Work workOn(const Fabric& fabric) const;
 
-  RenderService rendering_;
+  RivalRender rendering_{ViewService::Rival::handover};
   HandoverDialog dialog_;
   TileSizeService sizes_;
 };

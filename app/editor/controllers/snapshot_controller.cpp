@@ -6,6 +6,7 @@
 
 #include "app/editor/model/picture_label.h"
 #include "app/export/snapshot.h"
+#include "core/fabric/model/height_seen.h"
 #include "render/display/display_picture.h"
 #include "render/scene/camera_rays.h"
 #include "ui/words/picture_words.h"
@@ -70,11 +71,7 @@ void SnapshotController::followView(const Sight& now, const ViewService& seen) {
 
 void SnapshotController::follow(Ui& ui, const Sight& now, ViewService& seen) {
   shelf_.follow();
-  if (rendering_.isRunning()) ui.wakeWithin(0.1);
-  const auto written = rendering_.follow();
-  if (!written) return;
-  seen.pause(ViewService::Rival::snapshot, false);
-  if (*written) keepView(now, seen);
+  if (rendering_.follow(ui, seen) == true) keepView(now, seen);
 }
 
 SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const Sight& now, ViewService& seen) {
@@ -89,12 +86,13 @@ SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const Sight& now
     if (result.settings) edited->render = *result.settings;
     const SnapshotOptions& options = dialog_.options();
     edited->camera = cameraOf(*edited, options, inView.piece_mm);
-    seen.pause(ViewService::Rival::snapshot, true);
-    rendering_.start([edited, file = dialog_.file(), tone = now.tone,
-                      print = printOf(dialog_.options(), *edited)](const Task& task) -> std::optional<std::string> {
-      if (!writeSnapshot(edited, file, tone, print, task)) return std::nullopt;
-      return fmt::format(words::snapshot::saved, file);
-    });
+    rendering_.start(
+        [edited, file = dialog_.file(), tone = now.tone,
+         print = printOf(dialog_.options(), *edited)](const Task& task) -> std::optional<std::string> {
+          if (!writeSnapshot(edited, file, tone, print, task)) return std::nullopt;
+          return fmt::format(words::snapshot::saved, file);
+        },
+        seen);
   }
   return {result.settings, result.chooseFile};
 }

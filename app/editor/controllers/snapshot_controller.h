@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/services/render_service.h"
+#include "app/editor/controllers/rival_render.h"
 #include "app/editor/services/snapshot_store.h"
 #include "app/editor/services/view_service.h"
 #include "ui/dialogs/dialogs.h"
@@ -69,7 +69,7 @@ class SnapshotController {
   };
 
   SnapshotStore shelf_;
-  RenderService rendering_;
+  RivalRender rendering_{ViewService::Rival::snapshot};
   SnapshotDialog dialog_;
   CompareDialog compare_;
   SnapshotStripView strip_;

@@ -23,8 +23,7 @@ void TileController::setFile(const std::string& file) {
 }
 
 void TileController::follow(Ui& ui, ViewService& seen) {
-  if (rendering_.isRunning()) ui.wakeWithin(0.1);
-  if (rendering_.follow().has_value()) seen.pause(ViewService::Rival::tile, false);
+  rendering_.follow(ui, seen);
 }
 
 bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
@@ -36,14 +35,14 @@ bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   const std::filesystem::path file(dialog_.file());
   Fabric sampled = fabric;
   sampled.render.samplesPerPixel = dialog_.samplesPerPixel();
-  seen.pause(ViewService::Rival::tile, true);
   rendering_.start(
       [fabric = std::move(sampled), stem = (file.parent_path() / file.stem()).string(),
        order = TileOrder{dialog_.longestSide(), dialog_.joinsTwist()}](const Task& task) -> std::optional<std::string> {
         const auto tile = makeTile(fabric, stem, order, defaultMemoryLimit_bytes(), task);
         if (!tile) return std::nullopt;
         return fmt::format(words::tile::written, stem, tile->files.size() - 1);
-      });
+      },
+      seen);
   return result.chooseFile;
 }
 

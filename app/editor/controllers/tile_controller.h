@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/editor/services/render_service.h"
+#include "app/editor/controllers/rival_render.h"
 #include "app/editor/services/tile_size_service.h"
 #include "app/editor/services/view_service.h"
 #include "ui/dialogs/tile_dialog.h"
@@ -27,7 +27,7 @@ class TileController {
   void setFile(const std::string& file);
 
  private:
-  RenderService rendering_;
+  RivalRender rendering_{ViewService::Rival::tile};
   TileDialog dialog_;
   TileSizeService sizes_;
 };

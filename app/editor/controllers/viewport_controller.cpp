@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/editor/controllers/inset_model.h"
-#include "core/fabric/model/booth_lamps.h"
 #include "core/fabric/model/choice_names.h"
 #include "render/display/booth.h"
 #include "ui/words/viewport_words.h"
@@ -92,7 +91,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   const Weave& weave = fabric->weave;
   // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
   constexpr int kCoarsest = 3;
-  const Frame* shown = service_.frame();
+  const Frame* shown = service_.frame().get();
   const ImVec4& accent = ui.theme.accent;
   if (hovered && shown && shown->divider <= kCoarsest)
     outline = {inRepeat(*hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
@@ -127,7 +126,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   if (liesFlat && result.fabric) result.fabric = onItsDrape(std::move(*result.fabric), *fabric);
 
   Edit edit{std::move(result.fabric), result.camera, {}, result.inset.changeLimit, false};
-  edit.turned = result.camera && view_.drag == ViewportView::Drag::orbit;
+  edit.orbited = result.camera && view_.drag == ViewportView::Drag::orbit;
   if (const auto hit = result.picked ? service_.hitAt(*result.picked) : std::nullopt)
     edit.yarn = std::min(hit->yarn, static_cast<int>(fabric->yarns.size()) - 1);
   if (!result.inset.remedy) return edit;
@@ -196,19 +195,22 @@ void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int
   service_.follow(state);
 }
 
-void ViewportController::tellProbe(WidgetProbe& probe, int yarn) const {
+void ViewportController::tellProbe(WidgetProbe& probe, int yarn) {
   const LiveStatus status = service_.status();
-  const Frame* shown = service_.frame();
+  const std::shared_ptr<const Frame>& shown = service_.frame();
   const InsetFrame* inset = service_.insetFrame();
   probe.fact("generation", std::to_string(service_.generation()));
   probe.fact("built_generation", std::to_string(status.builtGeneration));
   probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
   probe.fact("shown_samples", std::to_string(shown ? shown->samples : 0));
-  probe.fact("shown_light", shown ? lightOf(shown->whole()) : "");
-  const bool divided = shown && shown->isDivided();
+  if (std::exchange(lightToldOf_, shown) != shown) {  // of millions of pixels, so not in every frame of the window
+    shownLight_ = shown ? lightOf(shown->whole()) : "";
+    for (size_t lamp = 0; lamp < kBoothLamps.size(); ++lamp)
+      boothLight_[lamp] = shown && shown->isDivided() ? lightOf(quarterOf(*shown, lamp)) : "";
+  }
+  probe.fact("shown_light", shownLight_);
   for (size_t lamp = 0; lamp < kBoothLamps.size(); ++lamp)
-    probe.fact(std::string("booth.light.") + choiceName(kBoothLamps[lamp]),
-               divided ? lightOf(quarterOf(*shown, lamp)) : "");
+    probe.fact(std::string("booth.light.") + choiceName(kBoothLamps[lamp]), boothLight_[lamp]);
   static constexpr const char* kPhases[] = {"idle", "voxelising", "tracing", "converged"};
   probe.fact("phase", kPhases[static_cast<int>(status.phase)]);
   probe.fact("shown_sketch", shown && shown->quality == PreviewQuality::sketch ? "yes" : "no");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "app/editor/model/settings.h"
 #include "app/editor/services/view_service.h"
+#include "core/fabric/model/booth_lamps.h"
 #include "ui/flat_menu.h"
 #include "ui/viewport/viewport_panel.h"
 
@@ -25,7 +27,7 @@ class ViewportController {
     std::optional<Camera> camera;  ///< looking around is no edit of the cloth
     std::optional<int> yarn;       ///< that was clicked at
     bool preferences = false;      ///< are asked for: the inset needs more memory
-    bool turned = false;           ///< the cloth was turned over in this frame
+    bool orbited = false;          ///< the camera has gone round the cloth in this frame
   };
   /// `hovered`: the crossing under the mouse in the draft, which is outlined in the picture. `proof`: how the picture
   /// is shown, and the inset in it.
@@ -42,7 +44,7 @@ class ViewportController {
   /// Has the workers follow the fabric, and one yarn of it, whose visibility is on the screen or not.
   void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, const ViewLimits& limits,
               const ClothSide& side);
-  void tellProbe(WidgetProbe& probe, int yarn) const;
+  void tellProbe(WidgetProbe& probe, int yarn);
 
   void displayIs(double pixels_per_mm) { display_pixels_per_mm_ = pixels_per_mm; }
   /// A camera that shows the cloth as large as it is, straight from above. `rulerFactor`: how much longer a ruler finds
@@ -95,6 +97,10 @@ class ViewportController {
   double flatSide_cm_ = 10;
   std::optional<CrossingIndex> underPointer_;
   std::string underPointerYarn_;
+  // What tests are told:
+  std::shared_ptr<const Frame> lightToldOf_;
+  std::string shownLight_;
+  std::array<std::string, kBoothLamps.size()> boothLight_;
 };
 
 }  // namespace loomlight

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/fabric/model/height_seen.h"
 #include "core/fabric/model/yarn_count.h"
 
 namespace loomlight {
@@ -24,10 +25,9 @@ Fabric yarnCloseUp(const Fabric& fabric, int yarn, int width, int height) {
   alone.press = 0;
   alone.drape.width_mm = pitch_mm;
   alone.drape.height_mm = 2 * pitch_mm;
-  constexpr double kSeenPerDistance = 0.3527;  // 2 tan(10 degrees)
-  alone.camera.azimuth_deg = 0;                // so that the yarn runs from left to right
+  alone.camera.azimuth_deg = 0;  // so that the yarn runs from left to right
   alone.camera.elevation_deg = 75;
-  alone.camera.distance_mm = std::clamp(kSeenDiameters * diameter_mm / kSeenPerDistance, 0.1, 1e5);
+  alone.camera.distance_mm = std::clamp(kSeenDiameters * diameter_mm / heightSeenPerDistance(alone.camera), 0.1, 1e5);
   alone.light.azimuth_deg = 60;
   alone.light.elevation_deg = 50;
   alone.render.width = width;

@@ -9,6 +9,7 @@
 #include "app/editor/model/yarn_close_up.h"
 #include "app/editor/presets/preset_folder.h"
 #include "core/fabric/model/colourways.h"
+#include "core/fabric/model/height_seen.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
@@ -21,13 +22,13 @@ constexpr int kWidth = 168, kHeight = 120;
 
 /// A few crossings of a cloth, flat under a sky.
 Fabric portraitOf(Fabric fabric, int width, int height) {
-  constexpr double kSeen_mm = 6, kSeenPerDistance = 0.3527;  // 2 tan(10 degrees)
+  constexpr double kSeen_mm = 6;
   fabric.drape = Drape{};
   fabric.drape.width_mm = 2.4 * kSeen_mm;
   fabric.drape.height_mm = 2 * kSeen_mm;
   fabric.camera = Camera{};
   fabric.camera.elevation_deg = 65;
-  fabric.camera.distance_mm = kSeen_mm / kSeenPerDistance;
+  fabric.camera.distance_mm = kSeen_mm / heightSeenPerDistance(fabric.camera);
   fabric.light = Light{};
   fabric.render = RenderSettings{};
   fabric.render.width = width;

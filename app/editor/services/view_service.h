@@ -51,7 +51,7 @@ class ViewService {
     renderer_.pause(rivals_.any());
   }
 
-  const Frame* frame() const { return frame_.get(); }  ///< the one shown; null before the first
+  const std::shared_ptr<const Frame>& frame() const { return frame_; }  ///< the one shown; null before the first
   const InsetFrame* insetFrame() const { return insetFrame_.get(); }
   LiveStatus status() const { return renderer_.status(); }
   uint64_t generation() const { return generation_; }  ///< that was asked for last

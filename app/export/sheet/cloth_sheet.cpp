@@ -16,6 +16,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/fabric/model/colourways.h"
+#include "core/fabric/model/height_seen.h"
 #include "render/transport/reached_colours.h"
 
 namespace loomlight {
@@ -35,7 +36,7 @@ Fabric pieceOf(const Fabric& fabric, double side_mm, double pixels_per_mm, int s
   piece.camera = Camera{};
   piece.camera.elevation_deg = 90;
   piece.camera.fov_deg = 0;
-  piece.camera.distance_mm = side_mm / (2 * std::tan(10 * kPi / 180));
+  piece.camera.distance_mm = side_mm / heightSeenPerDistance(piece.camera);
   piece.render.width = piece.render.height = static_cast<int>(std::lround(side_mm * pixels_per_mm));
   piece.render.samplesPerPixel = samples;
   return piece;

@@ -208,13 +208,6 @@ TEST(Film, BrightestSamplesSaturateWithoutLosingTheirSums) {
   EXPECT_EQ(film.samples(0, 0), Film::maxSamples);
 }
 
-TEST(Film, ClearForgetsEverything) {
-  Film film(kFilmWidth, kFilmHeight);
-  addAll(film, {0, 1, 2});
-  film.clear();
-  expectSameSums(film, Film(kFilmWidth, kFilmHeight));
-}
-
 TEST(Film, DisplayBufferIsMeanAndAlpha) {
   Film film(kFilmWidth, kFilmHeight);
   addAll(film, {0, 1, 2});
