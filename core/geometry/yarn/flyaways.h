@@ -22,8 +22,8 @@ struct Flyaway {
   bool backwards = false;  ///< rises towards its start
 };
 
-/// The loose fibres of one period: hairinessPerMm of them, three in five ends and the rest loops (the ratio of Zhao's
-/// cotton), reaching an exponentially distributed distance of at most hairLength; four ends in five lie, or all are
+/// The loose fibres of one period: hairiness_per_mm of them, three in five ends and the rest loops (the ratio of Zhao's
+/// cotton), reaching an exponentially distributed distance of at most hairLength_mm; four ends in five lie, or all are
 /// raised (HairLie). Then the wrapper fibres, whose turns keep to the surface. Fewer of either where they would be more
 /// than kMaxFlyaways, or longer in all than `budget_mm`. A pure function of its arguments.
 std::vector<Flyaway> placeFlyaways(const YarnGeometry& geometry, double budget_mm);

@@ -92,10 +92,9 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
 inline constexpr int kMaxPeriod = 16;
 
 /// Chooses the period, 4 to kMaxPeriod cells (8 at least where fibres, thickness or place vary along the yarn, 1 where
-/// nothing does), and whole turns over it. `turns
-/// per mm` is met to within kTwistTolerance in the tangent of the surface helix where any period does, else as nearly
-/// as one does: within 1/32 turn a cell. Twists beyond what a yarn can take (kMaxHelixTangent at its surface,
-/// kMaxTurnsPerCell) are reduced to that.
+/// nothing does), and whole turns over it. The yarn's twist is met to within kTwistTolerance in the tangent of the
+/// surface helix where any period does, else as nearly as one does: within 1/32 turn a cell. Twists beyond what a yarn
+/// can take (kMaxHelixTangent at its surface, kMaxTurnsPerCell) are reduced to that.
 void resolveTwist(YarnGeometry& geometry, const Yarn& yarn, double cellLength_mm);
 
 inline constexpr double kTwistTolerance = 0.02;

@@ -30,7 +30,7 @@ struct RateBounds {
 };
 
 /// All that laying the fibres of a cell needs of its yarn, computed once: the section of the plies, the loose fibres.
-/// Immutable, and a pure function of its YarnGeometry.
+/// Immutable, and a pure function of its YarnSource.
 struct YarnModel {
   YarnSource source;  ///< what it was made of
   YarnGeometry geometry;
