@@ -63,25 +63,22 @@ class Processor(CommandLineTest):
 
     @unittest.skipUnless(EMULATOR, "no emulator of processors is installed (package qemu-user-static)")
     @unittest.skipIf(SANITIZED, "sanitizers ask for more memory than the emulator gives")
-    def test_another_maker_s_processor_renders_the_same_bytes(self):
+    def test_another_maker_s_processor_renders_the_same_bytes_but_of_single_fibres(self):
+        """In one run, since to start the emulator takes longer than to render."""
         another = self.another_maker_s()
         drapes = ("flat", "cylinder", "folds")
-        # In one run, since to start the emulator takes longer than to render.
         fabrics = [self.fabric(f"{drape}.json", drape={**SMALL["drape"], "kind": drape}) for drape in drapes]
-        self.run_program("render", *fabrics, "-o", "here_{}.exr")
-        self.run_program("render", *fabrics, "-o", "another_{}.exr", before=another)
+        fibres = self.fabric("fibres.json", render={**SMALL["render"], "method": "fibres"})
+        words = ("render", *fabrics, fibres, "--spp", 4, "--samples", 3, "-o")
+        self.run_program(*words, "here_{}.exr")
+        self.run_program(*words, "another_{}.exr", before=another)
         for drape in drapes:
             with self.subTest(drape):
                 self.assertEqual(self.bytes_of(f"another_{drape}.exr"), self.bytes_of(f"here_{drape}.exr"))
-
-    @unittest.skipUnless(EMULATOR, "no emulator of processors is installed (package qemu-user-static)")
-    @unittest.skipIf(SANITIZED, "sanitizers ask for more memory than the emulator gives")
-    def test_another_maker_s_processor_is_of_another_kind_and_its_fibres_are_not_merged_with_ours(self):
-        self.run_program("render", self.fabric(), "--method", "fibres", "--samples", 2, "-o", "here.exr")
-        self.run_program("render", self.fabric(), "--method", "fibres", "--samples-from", 2, "-o", "another.exr",
-                         before=self.another_maker_s())
-        message = self.run_program("merge", "here.exr", "another.exr", "-o", "refused.exr", status=1)
-        self.assertIn("another.exr: expected samples of the same kind of processor as here.exr", message)
+        self.run_program("render", fibres, "--spp", 4, "--samples-from", 3, "-o", "rest.exr")
+        self.run_program("merge", "here_fibres.exr", "rest.exr", "-o", "merged.exr")
+        message = self.run_program("merge", "rest.exr", "another_fibres.exr", "-o", "refused.exr", status=1)
+        self.assertIn("another_fibres.exr: expected samples of the same kind of processor as rest.exr", message)
 
     def test_with_avx2_nothing_is_said(self):
         if self.level() == "x86-64-v3":

@@ -4,10 +4,6 @@ from harness import CommandLineTest, main
 
 
 class Sheet(CommandLineTest):
-    def test_a_fabric_becomes_a_page(self):
-        self.run_program("sheet", self.fabric(), "-o", "sheet.pdf", "--spp", "1", "--width", "140")
-        self.assertTrue(self.bytes_of("sheet.pdf").startswith(b"%PDF-"))
-
     def test_colourways_have_a_page_of_their_own(self):
         self.run_program("sheet", self.fabric(), "-o", "ways.pdf", "--colourways", "--spp", "1")
         self.assertTrue(self.bytes_of("ways.pdf").startswith(b"%PDF-"))
@@ -16,7 +12,7 @@ class Sheet(CommandLineTest):
         for name in ("book.csv", "a=b.csv"):
             rows = ["nm (%),navy,brown"] + [f"{nm},5,{nm / 20}" for nm in range(400, 710, 20)]
             (self.folder / name).write_text("\n".join(rows))
-        words = ("sheet", self.fabric(), "-o", "sheet.pdf", "--spp", "1")
+        words = ("sheet", self.fabric(), "-o", "sheet.pdf", "--spp", "1", "--width", "140")
         standards = ("--standard", "book.csv:brown", "--standard", "blue=book.csv:navy", "--standard", "warp=a=b.csv")
         said = self.run_both(*words, *standards, "--tolerance", "2")
         self.assertIn("a=b.csv: the first of 2 swatches is taken", said.stderr)
@@ -36,7 +32,7 @@ class Sheet(CommandLineTest):
         self.run_program("convert", "draft.wif", "sized.json", "--wif-sizes", "file")
 
         def page(source, sizes):
-            self.run_program("sheet", source, "--wif-sizes", sizes, "-o", "page.pdf", "--spp", "1")
+            self.run_program("sheet", source, "--wif-sizes", sizes, "--colourways", "-o", "page.pdf", "--spp", "1")
             return self.bytes_of("page.pdf")
 
         as_its_file_says = page("draft.wif", "file")

@@ -26,7 +26,7 @@ def cloth(home, name):
     fabric = {
         "loomlight_version": 1, "name": name, "weave": [rows[pick // 40] for pick in range(side)],
         "fibres": [{"name": "coarse", "radius_um": 20}], "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
+        "light": {"kind": "dome"}, "camera": {"distance_mm": 64, "elevation_deg": 75}, "render": {"resolution": 1},
     }
     file = os.path.join(home, name + ".json")
     with open(file, "w", encoding="utf-8") as text:

@@ -20,7 +20,7 @@ def long_fabric(home):
         "loomlight_version": 1, "name": "Long", "description": "a long story " * 5_000, "weave": ["#.", ".#"],
         "fibres": [{"name": "coarse", "radius_um": 20}],
         "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
+        "light": {"kind": "dome"}, "camera": {"distance_mm": 64, "elevation_deg": 75}, "render": {"resolution": 1},
     }
     return write_json(home, "long.json", fabric)
 

@@ -16,7 +16,7 @@ def small_fabric(home):
     fabric = read_json(os.path.join(SAMPLES, "blue_cloth.json"))
     fabric["drape"] = {"kind": "flat", "width_mm": 6, "height_mm": 6}
     fabric["light"] = {"kind": "dome"}
-    fabric["camera"] = {"distance_mm": 16, "elevation_deg": 70}
+    fabric["camera"] = {"distance_mm": 40, "elevation_deg": 70}
     fabric["render"] = {"width": 40, "height": 30, "samples_per_pixel": 2, "resolution": 2}
     return write_json(home, "cloth.json", fabric)
 

@@ -13,6 +13,7 @@ WIDTH, HEIGHT = 1280, 720
 def small_fabric(home, name):
     return small_cloth(home, name, ends_per_cm=20, picks_per_cm=20,
                        drape={"kind": "flat", "width_mm": 6, "height_mm": 6},
+                       camera={"distance_mm": 24, "elevation_deg": 75},
                        fibres=[{"name": "coarse", "radius_um": 20, "absorption_per_mm": [20, 6, 2]}])
 
 

@@ -161,7 +161,7 @@ def expect_copies(action, left, before, weaves):
 
 def test():
     chance = random.Random(1)
-    with window(WIDTH, HEIGHT) as editor:
+    with window(WIDTH, HEIGHT, samples=1) as editor:  # the picture is not judged
         # Of which a snapshot is soon rendered.
         file = small_cloth(editor.home, "Killed", render={"resolution": 1, "width": 64, "height": 48,
                                                           "samples_per_pixel": 1})

@@ -16,8 +16,8 @@ def small_fabric(home):
         fibre["radius_um"] = 20
     fabric["drape"] = {"kind": "flat", "width_mm": 6, "height_mm": 6}
     fabric["light"] = {"kind": "dome"}
-    fabric["camera"] = {"distance_mm": 14, "elevation_deg": 80}
-    fabric["render"] = {"resolution": 2}
+    fabric["camera"] = {"distance_mm": 28, "elevation_deg": 80}
+    fabric["render"] = {"resolution": 2, "max_depth": 8}
     return write_json(home, "cloth.json", fabric)
 
 

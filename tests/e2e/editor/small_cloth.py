@@ -1,4 +1,4 @@
-"""A cloth that a slow machine keeps up with: coarse fibres, a small flat piece, few voxels."""
+"""A cloth that a slow machine keeps up with: coarse fibres, a small flat piece amid the view, few voxels."""
 
 from window_driver import write_json
 
@@ -8,6 +8,6 @@ def small_cloth(home, name, **other):
     fabric = {
         "loomlight_version": 1, "name": name, "weave": ["#.", ".#"], "fibres": [{"name": "coarse", "radius_um": 20}],
         "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
+        "light": {"kind": "dome"}, "camera": {"distance_mm": 64, "elevation_deg": 75}, "render": {"resolution": 1},
     }
     return write_json(home, name.lower() + ".json", {**fabric, **other})

@@ -135,8 +135,8 @@ class Hand:
 
 
 def test():
-    with window(WIDTH, HEIGHT) as editor:
-        file = small_cloth(editor.home, "Soaked")
+    with window(WIDTH, HEIGHT, samples=1) as editor:  # the picture is not judged
+        file = small_cloth(editor.home, "Soaked", camera={"distance_mm": 32, "elevation_deg": 75})
         subprocess.run([PROGRAM, "convert", file, file], check=True, stdout=subprocess.DEVNULL)  # to the program's own form
         start = read_json(file)
         editor.start(PROGRAM, [file])

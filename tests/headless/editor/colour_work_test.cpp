@@ -27,8 +27,6 @@ Fabric ecruAndNavy() {
   cloth.fibres[0].absorption_per_mm = Rgb(2, 3, 5);
   cloth.fibres[1].name = "navy";
   cloth.fibres[1].absorption_per_mm = Rgb(60, 40, 12);
-  cloth.camera.distance_mm = 11;  // so that the cloth fills a picture from top to bottom
-  cloth.camera.elevation_deg = 75;
   return cloth;
 }
 
@@ -175,7 +173,10 @@ TEST_F(ColourwaysAtWork, AreKeptRenamedCopiedAndRemoved) {
 }
 
 TEST_F(ColourwaysAtWork, AreRendered) {
-  openOn(ecruAndNavy());
+  Fabric cloth = ecruAndNavy();
+  cloth.camera.distance_mm = 11;  // so that it fills a picture from top to bottom
+  cloth.camera.elevation_deg = 75;
+  openOn(cloth);
   keepPresentColours();
   copy();
   editor.until("its picture is rendered", [&] {

@@ -33,6 +33,7 @@ Fabric lightFabric() {
   for (Fibre& fibre : fabric.fibres) fibre.radius_um = 20;  // few fibres are soon laid
   fabric.drape = {};
   fabric.drape.width_mm = fabric.drape.height_mm = 4;
+  fabric.camera.distance_mm = 200;  // hardly any of the picture, so that tracing it takes no time
   fabric.light = {};
   fabric.light.kind = LightKind::headlight;  // the longest name of a light
   fabric.render = {};

@@ -51,9 +51,9 @@ Spectrum flatSpectrum(double value) {
   return bands;
 }
 
-PathLengthTally walksOf(const Fabric& fabric) {
+PathLengthTally walksOf(const Fabric& fabric, double error) {
   const PatchOfCloth patch(fabric);
-  auto paths = tracePathsForDyes(*patch.scene, *patch.medium, partOfFibre(0), Task{});
+  auto paths = tracePathsForDyes(*patch.scene, *patch.medium, partOfFibre(0), Task{}, DyePaths::toSolve, error);
   EXPECT_TRUE(paths.has_value());
   return paths.value_or(PathLengthTally{});
 }
@@ -118,7 +118,7 @@ class ColourRoundTrip : public testing::TestWithParam<Construction> {};
 /// least 2.3 of their standard errors together, of the darkest colours; of most it is far more.
 TEST_P(ColourRoundTrip, AMeasuredSwatchIsWhatThePictureShows) {
   const Fabric fabric = undyed(GetParam());
-  const PathLengthTally paths = walksOf(fabric);
+  const PathLengthTally paths = walksOf(fabric, kDyeError);
   const Picture picture(fabric);
   const Colouring white = colouringInDaylight(fabric);
   const LinearWeights daylight = linearWeights(illuminantNamed("D65"), Observer::degrees2);
@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Constructions, ColourRoundTrip, testing::ValuesIn(const
 /// here.
 TEST(ColourOfDyedCloth, KubelkaMunkIsInProportionToTheDye) {
   const Fabric fabric = undyed(constructions()[1]);
-  const PathLengthTally paths = walksOf(fabric);
+  const PathLengthTally paths = walksOf(fabric, kToldError);
   const auto strength = [&](double absorption_per_mm) {
     Colouring dyed = colouringInDaylight(fabric);
     dyed.setBands(0, flatSpectrum(absorption_per_mm));

@@ -43,7 +43,7 @@ TEST(ColourSolver, SolvedClothRendersInTheWantedColour) {
     const SolvedColour solved = solveColour(*walks, colouringInDaylight(fabric), kFirst, wanted);
     EXPECT_FALSE(solved.tooLight || solved.tooDark);
     fabric.fibres[0].absorption_per_mm = solved.absorption_per_mm;
-    const Rgb rendered = renderedColour(fabric, 0);
+    const Rgb rendered = renderedColours(fabric)[0];
     EXPECT_LT(colourDifference(rendered, wanted), kDeltaE)
         << rendered.r << " " << rendered.g << " " << rendered.b << " for " << wanted.r;
   }
@@ -71,7 +71,7 @@ TEST(ColourSolver, SolvedClothRendersAsItsSwatchWasMeasured) {
       fabric.light.illuminant = lamp;
       const LinearWeights weights =
           linearWeights(illuminantNamed(lamp == StandardIlluminant::d65 ? "D65" : "F11"), Observer::degrees2);
-      const Rgb rendered = renderedColour(fabric, 0);
+      const Rgb rendered = renderedColours(fabric)[0];
       EXPECT_LT(colourDifference(rendered, Rgb(weighted(weights, swatch))), kDeltaE) << centre_nm;
     }
   }

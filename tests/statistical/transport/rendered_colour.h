@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "render/colour/colour_space.h"
 #include "render/transport/make_medium.h"
@@ -25,8 +26,8 @@ struct PatchOfCloth {
   std::unique_ptr<const Medium> medium;
 };
 
-/// What the path tracer shows of a yarn, seen from straight above in a white dome.
-inline Rgb renderedColour(Fabric fabric, int yarn) {
+/// What the path tracer shows of each yarn, seen from straight above in a white dome.
+inline std::vector<Rgb> renderedColours(Fabric fabric) {
   fabric.render.seed += 1;
   fabric.camera.elevation_deg = 90;
   fabric.camera.fov_deg = 0;
@@ -37,16 +38,18 @@ inline Rgb renderedColour(Fabric fabric, int yarn) {
   // The middle of a picture that shows most of the patch: about three repeats each way, so that it hardly matters where
   // they are cut.
   const CameraRays camera(fabric.camera, 2 * kSide, 2 * kSide);
-  glm::dvec3 sum(0.0);
-  int count = 0;
+  std::vector<glm::dvec3> sums(fabric.yarns.size(), glm::dvec3(0.0));
+  std::vector<int> seen(fabric.yarns.size(), 0);
   TraceCounts counts;
   test::forEachSample(*patch.scene, *patch.medium, camera, {kSide / 2, kSide / 2, kSide, kSide}, kSamples, counts,
                       [&](int, int, const PathSample& sample) {
-                        if (sample.yarn != yarn) return;
-                        sum += glm::dvec3(sample.direct + sample.indirect);
-                        ++count;
+                        if (sample.yarn < 0) return;
+                        sums[static_cast<size_t>(sample.yarn)] += glm::dvec3(sample.direct + sample.indirect);
+                        ++seen[static_cast<size_t>(sample.yarn)];
                       });
-  return Rgb(sum / static_cast<double>(count));
+  std::vector<Rgb> colours;
+  for (size_t yarn = 0; yarn < sums.size(); ++yarn) colours.emplace_back(sums[yarn] / static_cast<double>(seen[yarn]));
+  return colours;
 }
 
 inline double colourDifference(const Rgb& a, const Rgb& b) {

@@ -14,6 +14,7 @@ TEST(MeasuredSurface, WhatAWhiteClothDoesNotLetThroughItScatters) {
   Fabric fabric = test::twoSidedCloth();
   fabric.fibres[0].absorption_per_mm = Rgb(0);
   fabric.render.estimator = Estimator::none;  // the one under which paths are as likely either way
+  fabric.render.samplesPerPixel = 8;
   const auto measured = measuredSurface(fabric, 96, 1e9, {});
   ASSERT_TRUE(measured);
   const auto sides = tileSides(fabric, tileExtent(fabric, false), 64, 1e9, {});
