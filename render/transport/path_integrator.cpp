@@ -235,8 +235,8 @@ void PathIntegrator::fly(TraceCounts& counts) {
       end(path, PathEnd::left);
       continue;
     }
-    if (state.events ==
-        sampling_.maxEvents) {  // only now: what sampled directions find is half of the last lamp's light
+    // Only now: what is found in directions that are sampled is a part of the last fibre's light as well.
+    if (state.events == sampling_.maxEvents) {
       end(path, PathEnd::deepest);
       continue;
     }

@@ -127,7 +127,7 @@ TEST(FromAfar, DenimIsStreakedAlongItsWarp) {
   const std::array<Film, 2> films = twice(seenFlat(denim, 1), 192);
   denim.settCv_percent = 0;
   for (Yarn& yarn : denim.yarns) yarn.evennessCv_percent = yarn.slubs_per_m = yarn.shadeVariation_percent = 0;
-  const Streaks along = streaks(films, Along::columns), even = streaks(twice(seenFlat(denim, 1), 64), Along::columns);
+  const Streaks along = streaks(films, Along::columns), even = streaks(twice(seenFlat(denim, 1), 128), Along::columns);
   EXPECT_GT(along.variance, 0.02 * 0.02);
   EXPECT_GT(sigmasMore(along, streaks(films, Along::rows)), 3);
   EXPECT_GT(sigmasMore(along, even), 3);
