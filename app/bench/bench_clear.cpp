@@ -31,7 +31,6 @@ constexpr ClearExtent kQuickClear{160, 100, 64, 2};
 const std::vector<double> kTimes_s{0.3, 1, 3, 10};
 constexpr double kClear[] = {0.10, 0.05, 0.03};
 constexpr double kDragInterval_s = 0.05;
-constexpr int kLargestSide_px = 4096;  // a window's
 
 void expectKnown(const std::vector<std::string>& names) {
   const std::vector<std::string> known = clearNames();
@@ -44,12 +43,7 @@ std::string secondsText(double seconds) {
   return std::isfinite(seconds) ? fmt::format("{:.2f}", seconds) : "-";
 }
 
-void expectRoomForWindows(const ClearExtent& extent) {
-  const auto [least, most] = std::minmax(extent.width, extent.height);
-  if (least < kLeastClearSide_px || most > kLargestSide_px)
-    throw InputError(fmt::format("--size: expected {0}x{0}, in which nine windows find room, to {1}x{1}, got {2}x{3}",
-                                 kLeastClearSide_px, kLargestSide_px, extent.width, extent.height));
-}
+static_assert(ClearBenchCommand::kLeastSide >= kLeastClearSide_px);
 
 class ClearBench {
  public:
@@ -62,7 +56,6 @@ class ClearBench {
       extent_.width = command.width;
       extent_.height = command.height;
     }
-    expectRoomForWindows(extent_);
     if (command.seconds > 0) extent_.seconds = command.seconds;
     if (command.referenceSamples > 0) extent_.referenceSamples = static_cast<uint32_t>(command.referenceSamples);
   }

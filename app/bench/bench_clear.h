@@ -9,6 +9,8 @@ namespace loomlight {
 /// of edit, through the editor's own builder, tracer and display policy.
 struct ClearBenchCommand {
   enum class Sharing { on, off, both };
+  /// Sides of pictures, pixels: nine windows find room in the least, and a window on a screen in the most.
+  static constexpr int kLeastSide = 48, kMostSide = 4096;
   std::string folder;               ///< where page and tables go, and the converged pictures, for the next time
   bool quick = false;               ///< one setting, a small picture, seconds: for tests
   bool pictures = false;            ///< also writes what was shown at some times

@@ -28,7 +28,7 @@ namespace {
 constexpr int kMostYarns = 2000;
 constexpr double kMargin_mm = 3;  ///< of cloth around a tile: light goes no further within it
 
-/// The least common multiple of the periods of the yarns that run along `along` in a piece of the repeat.
+/// The least common multiple of the periods of a system's yarns in a repeat.
 int64_t twistPeriod(const ClothGeometry& geometry, System system) {
   const bool warp = system == System::warp;
   int64_t period = 1;

@@ -58,7 +58,6 @@ class Arena {
     ranges_.giveBack(first, count);
     fit();
   }
-  uint32_t end() const { return ranges_.end(); }  ///< all from here on are free
 
  private:
   void fit() { space_.resize(size_t{ranges_.end()} * sizeof(T)); }

@@ -6,10 +6,10 @@
 
 // How it works. The prisms of a shell are sorted by counting into a grid over the plane of the texture, with about
 // one cell for each, but with cells no smaller than the prisms are on average: pieces may lie on top of each other in
-// the texture, and then each would touch very many. So there are a few entries for each prism at most. A point of cloth
-// space is looked for in the prisms of its cell: of all their tetrahedra the one that it lies deepest in is its own, so
-// that points in a face are not lost to rounding. A flat piece is a translation. Lengths are in mm. Cost: a few
-// tetrahedra for each point.
+// the texture, and then each would touch very many. So there are a few entries for each prism on average. A point of
+// cloth space is looked for in the prisms of its cell: of all their tetrahedra the one that it lies deepest in is its
+// own, so that points in a face are not lost to rounding. A flat piece is a translation. Lengths are in mm. Cost: a few
+// tetrahedra for each point, times as many pieces as lie on each other there.
 
 namespace loomlight {
 namespace {

@@ -14,7 +14,7 @@ namespace loomlight {
 /// What one path brings back to its pixel.
 struct PathSample {
   Rgb direct{0};    ///< one scattering event
-  Rgb indirect{0};  ///< two and more, and light that came through unscattered
+  Rgb indirect{0};  ///< two and more
   float alpha = 0;  ///< 1 where the camera ray met a fibre, else 0
   // Of the first event; only where alpha is 1:
   float depth_mm = 0;

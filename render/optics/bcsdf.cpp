@@ -13,7 +13,7 @@ namespace {
 
 /// Chooses R, TT, TRT or the residual. Sums of comparisons, since no processor can predict this branch.
 template <class T>
-WholeOf<T> chooseMode(const std::array<T, FibreBcsdf::kLobes>& share, T u) {
+WholeOf<T> chooseMode(const std::array<T, FibreBcsdf::kModes>& share, T u) {
   const T two = share[0] + share[1], three = two + share[2];
   const auto one = [](MaskOf<T> mask) { return mask ? WholeOf<T>{} + 1 : WholeOf<T>{}; };
   // Rounding of the sums must not choose a residual that cannot be.
@@ -54,9 +54,9 @@ inline FibreBcsdf::SampleOf<T> FibreBcsdf::drawOf(const Vec3Of<T>& wo, T h, Rand
   if (any(residual)) sample.order = residual ? drawOrder<T>(hit.internalReflectance, random.uniform(residual)) : mode;
   sample.length_radii = toFloats<T>(sample.order) * hit.chord_radii;
   if (withPdf) {
-    const std::array<T, kLobes> along = along_.density<T>(o, i), about = about_.density<T>(hit, turn.cosine, turn.sine);
-    std::array<T, kLobes> q;
-    for (size_t k = 0; k < kLobes; ++k) q[k] = hit.share[k] * along[k] * about[k];
+    const std::array<T, kModes> along = along_.density<T>(o, i), about = about_.density<T>(hit, turn.cosine, turn.sine);
+    std::array<T, kModes> q;
+    for (size_t k = 0; k < kModes; ++k) q[k] = hit.share[k] * along[k] * about[k];
     sample.pdf = (q[0] + q[1]) + (q[2] + q[3]);
   }
   return sample;
@@ -66,14 +66,14 @@ template <class T>
 inline void FibreBcsdf::evaluateAll(const Vec3Of<T>& wo, const Vec3Of<T>& wi, std::span<const T> offsets,
                                     std::span<ValueOf<T>> values) const {
   const Inclination<T> i(wi.x, least(squareRoot<T>(wi.y * wi.y + wi.z * wi.z), broadcast<T>(1.0)));
-  std::array<T, kLobes> along{};
+  std::array<T, kModes> along{};
   for (size_t at = 0; at < offsets.size(); ++at) {
     const CylinderHit<T> hit(wo, offsets[at], index_);
     if (at == 0) along = along_.density<T>(along_.outgoing<T>({hit.sineO, hit.cosineO}), i);
     const T cosine = wi.y * hit.azimuthOCosine + wi.z * hit.azimuthOSine;
     const T sine = wi.z * hit.azimuthOCosine - wi.y * hit.azimuthOSine;
-    const std::array<T, kLobes> about = about_.density<T>(hit, cosine, sine);
-    for (size_t k = 0; k < kLobes; ++k) values[at].q[k] = hit.share[k] * along[k] * about[k];
+    const std::array<T, kModes> about = about_.density<T>(hit, cosine, sine);
+    for (size_t k = 0; k < kModes; ++k) values[at].q[k] = hit.share[k] * along[k] * about[k];
     values[at].chord_radii = hit.chord_radii;
     values[at].internalReflectance = hit.internalReflectance;
   }

@@ -26,7 +26,7 @@ namespace loomlight {
 /// Immutable after construction, which takes a few milliseconds; safe from any thread.
 class FibreBcsdf {
  public:
-  static constexpr int kLobes = 4;
+  static constexpr int kModes = 4;
 
   /// A direction that was drawn; T is the number of one ray, or of several side by side.
   template <class T>
@@ -44,7 +44,7 @@ class FibreBcsdf {
   };
   template <class T>
   struct ValueOf {
-    std::array<T, kLobes> q{};  ///< Q of each mode, [3] all p >= 3 together; absorption-free
+    std::array<T, kModes> q{};  ///< Q of each mode, [3] all p >= 3 together; absorption-free
     T chord_radii{};            ///< length per internal traverse, in radii: mode p travels p of them
     T internalReflectance{};    ///< f: of the residual, the share with order p is (1-f) f^(p-3)
     T sum() const { return q[0] + q[1] + q[2] + q[3]; }
@@ -53,7 +53,7 @@ class FibreBcsdf {
 
   /// How the light divides among the modes, and how far a traverse is: what a smooth fibre of this index does.
   struct Modes {
-    std::array<float, kLobes> share{};  ///< sums to one
+    std::array<float, kModes> share{};  ///< sums to one
     float chord_radii = 0;              ///< as in Value
     float internalReflectance = 0;      ///< as in Value
   };

@@ -17,7 +17,7 @@ namespace loomlight {
 /// that is on has earned its place in `bench converge`.
 struct PathSampling {
   uint64_t seed = 0;          ///< of bits that are mixed; another gives another pattern of noise
-  uint32_t maxEvents = 1;     ///< fibres met on a path, at most; the next ends it without its light
+  uint32_t maxEvents = 1;     ///< fibres that send light on along a path, at most: one that meets another ends there
   bool stratified = true;     ///< camera, first events and first lamps are spread evenly over a pixel's samples
   bool roulette = true;       ///< paths of little worth end by chance
   bool lampsByChance = true;  ///< where a fibre would send on little of a lamp, it is seldom looked for

@@ -42,7 +42,7 @@ class LightColumns {
   // Which of these is what, if the kind has it: three primaries, ...
   static constexpr size_t kRadiance = 0;
   // ... if fibres sent the lights, their PathLight::modes, traverse_mm and internalReflectance, ...
-  static constexpr size_t kModes = 3, kTraverse_mm = kModes + FibreBcsdf::kLobes,
+  static constexpr size_t kModes = 3, kTraverse_mm = kModes + FibreBcsdf::kModes,
                           kInternalReflectance = kTraverse_mm + 1;
   // ... and if they have been within fibres, the lengths there, of each material.
   size_t lengths_mm() const { return isSent() ? kInternalReflectance + 1 : kModes; }

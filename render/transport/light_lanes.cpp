@@ -65,7 +65,7 @@ class Lanes {
   size_t lane_, lengths_mm_;
   Rgb lamps_;
   int sender_ = kNoFibre;
-  std::array<Real, FibreBcsdf::kLobes> modes_;  // only where a fibre sent the lights, and so are the next two
+  std::array<Real, FibreBcsdf::kModes> modes_;  // only where a fibre sent the lights, and so are the next two
   Real traverse_mm_, internalReflectance_;
 };
 

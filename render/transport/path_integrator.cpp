@@ -29,7 +29,7 @@ constexpr uint32_t kStratifiedEvents = 3, kDimensionsPerUse = 8, kDimensionsPerE
 int likelyOrder(const FibreBcsdf::Value& value, Random& random) {
   float rest = random.uniform() * value.sum();
   int order = 0;
-  while (order + 1 < FibreBcsdf::kLobes && (rest -= value.q[order]) >= 0) ++order;
+  while (order + 1 < FibreBcsdf::kModes && (rest -= value.q[order]) >= 0) ++order;
   return order;
 }
 
@@ -103,7 +103,7 @@ bool PathIntegrator::isLampCertain(uint32_t events) const {
 }
 
 /// The fibre's radius, times how deeply its thread is dyed.
-float PathIntegrator::depth_mm(uint32_t path) const {
+float PathIntegrator::absorbingRadius_mm(uint32_t path) const {
   const Collision& at = *states_[path].at;
   return at.optics.fibreRadius_mm * shadeOf(at);
 }
@@ -123,7 +123,7 @@ void PathIntegrator::sortByMaterial() {
 /// ever. The brightest channel decides: the mean would kill saturated hues.
 bool PathIntegrator::survives(uint32_t path, Random& random) {
   float& weight = states_[path].weight;
-  const Rgb c = weight * attenuation(scene_.roulette_per_mm, lengths_mm(path));
+  const Rgb c = weight * transmittance(scene_.roulette_per_mm, lengths_mm(path));
   const float chance = std::max({c.r, c.g, c.b});
   if (chance >= 1) return true;
   if (random.uniform() >= chance) return false;
@@ -213,7 +213,7 @@ void PathIntegrator::chooseOffset(const LightQuery& query, const LightResponses&
   }
   shadowRays_.push_back({query.path, query.light.wi, query.light.distance, &random});
   pendingLights_.push_back({radiance, sum / static_cast<float>(query.count), chance * query.light.pdf * value.sum(),
-                            PathLight{Rgb(0), value.q, at.material, chord * depth_mm(query.path),
+                            PathLight{Rgb(0), value.q, at.material, chord * absorbingRadius_mm(query.path),
                                       responses.values[chosen].internalReflectance[lane]}});
 }
 
@@ -310,7 +310,7 @@ size_t PathIntegrator::scatterEight(std::span<uint32_t> eight) {
   for (size_t i = 0; i < eight.size(); ++i) {
     const uint32_t path = eight[i];
     State& state = states_[path];
-    lengths_mm(path)[material] += scattered.length_radii[i] * depth_mm(path);
+    lengths_mm(path)[material] += scattered.length_radii[i] * absorbingRadius_mm(path);
     if (sampling_.roulette && state.events > kRouletteAfter && !survives(path, *randoms[i])) {
       end(path, PathEnd::roulette);
       continue;

@@ -87,7 +87,7 @@ class PathIntegrator {
   bool isLampCertain(uint32_t events) const;
   void sortByMaterial();
   int materialOf(uint32_t path) const { return states_[path].at->material; }
-  float depth_mm(uint32_t path) const;
+  float absorbingRadius_mm(uint32_t path) const;
   LightResponses evaluate(std::span<const LightQuery> queries) const;
   void chooseOffset(const LightQuery& query, const LightResponses& responses, size_t lane, Random& random);
   bool survives(uint32_t path, Random& random);

@@ -34,15 +34,16 @@ struct PathLengthTally {
 };
 
 /// The fabric on a flat patch for tallyPathLengths: its repeat, as far as that is not too large, and what light travels
-/// sideways around it. Its yarns are evenly spun, as it is to stand for all of the cloth.
+/// sideways around it. Its yarns are evenly spun, as it is to stand for all of the cloth. It is never traced by the
+/// report's estimator, but by ours.
 Fabric colourPatch(Fabric fabric);
 
 /// Whether paths through the patch of one fabric tell the colours of the other's: it is flat, under its own sky.
 bool tracedAlike(const Fabric& a, const Fabric& b);
 
-/// `count` paths that first meet a fibre of the part, over the middle of the scene, which is that of a colourPatch();
-/// fewer where hardly any does, none where it never lies on top. A function of the scene's seed; paths of different
-/// `stream` are independent. nullopt when stopped.
+/// `count` paths, and as many more as fill a batch, that first meet a fibre of the part, over the middle of the scene
+/// of a colourPatch(); fewer where hardly any does, none where it never lies on top. A function of the scene's seed;
+/// paths of different `stream` are independent. nullopt when stopped.
 std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, const ClothPart& part,
                                                 size_t count, const Task& task, uint64_t stream = 0);
 /// The same for each yarn of the fabric at once; more paths of yarns that show more than others.

@@ -57,7 +57,7 @@ class OneLight {
 
 }  // namespace
 
-Rgb attenuation(std::span<const Rgb> absorption_per_mm, std::span<const float> lengths_mm) {
+Rgb transmittance(std::span<const Rgb> absorption_per_mm, std::span<const float> lengths_mm) {
   Rgb exponent(0.0f);
   for (size_t k = 0; k < lengths_mm.size(); ++k) exponent -= absorption_per_mm[k] * lengths_mm[k];
   const Float32x4 left = exponential(OneLight::of(exponent, 0));
@@ -65,7 +65,7 @@ Rgb attenuation(std::span<const Rgb> absorption_per_mm, std::span<const float> l
 }
 
 Spectrum leftInBands(std::span<const float> lengths_mm, const Colouring& colouring) {
-  Spectrum left = mixed(colourPrimaries(), attenuation(colouring.primaries_per_mm, lengths_mm));
+  Spectrum left = mixed(colourPrimaries(), transmittance(colouring.primaries_per_mm, lengths_mm));
   if (!colouring.isSpectral()) return left;
   const PathLight any;
   const OneLight light(any, lengths_mm);

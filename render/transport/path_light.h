@@ -14,14 +14,14 @@ namespace loomlight {
 /// itself has one mode, R, of which nothing is absorbed.
 struct PathLight {
   Rgb radiance{0};  ///< with all weights of the path
-  std::array<float, FibreBcsdf::kLobes> modes{1, 0, 0, 0};
+  std::array<float, FibreBcsdf::kModes> modes{1, 0, 0, 0};
   int material = 0;               ///< of that fibre
   float traverse_mm = 0;          ///< length of one traverse of it: mode p makes p of them; 0: there is no such fibre
   float internalReflectance = 0;  ///< as FibreBcsdf::Value: the residual makes 3, 4, ... in a geometric series
 };
 
 /// exp(-sum sigma_k L_k): what is left of light after these lengths inside the fibres of each material.
-Rgb attenuation(std::span<const Rgb> absorption_per_mm, std::span<const float> lengths_mm);
+Rgb transmittance(std::span<const Rgb> absorption_per_mm, std::span<const float> lengths_mm);
 
 /// What is left in each band of light that has gone these lengths inside the fibres of each material, 1 at first.
 Spectrum leftInBands(std::span<const float> lengths_mm, const Colouring& colouring);

@@ -87,7 +87,7 @@ struct PassOptions {
 
 /// Brings every pixel of the window to `samples` samples, numbered from options.firstSample on: traces those that are
 /// missing, so that a stopped or resumed picture goes on where each of its pixels is. Checks stop each time that the
-/// paths under way have met a fibre; samples that are not in the film then are dropped, a thousand a thread at most.
+/// paths under way have met a fibre; samples that are not in the film then are dropped, two thousand a thread at most.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, const PassOptions& options = {});
 

@@ -54,7 +54,7 @@ void FileBrowser::enter(const fs::path& folder) {
     if (name.empty() || name.front() == '.') continue;
     std::error_code ignored;
     const bool isFolder = it->is_directory(ignored);
-    if (isFolder || accepts(it->path())) found.push_back({name, isFolder});
+    if (isFolder || accepts(it->path())) found.push_back({name, lowerCase(name), isFolder});
   }
   problem_ = error ? error.message() + ": " + absolute.string() : std::string();
   toReplace_.clear();
@@ -80,14 +80,11 @@ fs::path FileBrowser::named() const {
   return folder_ / typed_;  // an absolute path stays what it is
 }
 
-bool FileBrowser::passes(const Entry& entry) const {
-  return lowerCase(entry.name).find(lowerCase(filter_)) != std::string::npos;
-}
-
 void FileBrowser::step(int direction) {
   std::vector<const std::string*> files;
+  const std::string filter = lowerCase(filter_);
   for (const Entry& entry : entries_)
-    if (!entry.folder && passes(entry)) files.push_back(&entry.name);
+    if (!entry.folder && entry.passes(filter)) files.push_back(&entry.name);
   if (files.empty()) return;
   const auto last = static_cast<int>(files.size()) - 1;
   const auto now = std::find_if(files.begin(), files.end(), [&](const std::string* name) { return *name == typed_; });
@@ -131,9 +128,11 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   std::optional<fs::path> into;
   if (folder_.has_parent_path() && folder_ != folder_.root_path() && ImGui::Selectable(words::files::up))
     into = folder_.parent_path();
+  if (isCut_) textLine(ui, "browser.cut", fmt::format(words::files::tooManyHere, kMostLookedAt), ui.theme.textQuiet);
   std::vector<const Entry*> shown;
+  const std::string filter = lowerCase(filter_);
   for (const Entry& entry : entries_)
-    if (passes(entry)) shown.push_back(&entry);
+    if (entry.passes(filter)) shown.push_back(&entry);
   if (std::exchange(reveals_, false)) {
     const auto at = std::find_if(shown.begin(), shown.end(), [&](const Entry* entry) { return entry->name == typed_; });
     const float row = ImGui::GetTextLineHeightWithSpacing();
@@ -170,7 +169,6 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   }
   const char* const none = purpose_ == Purpose::folder ? words::files::noFolderHere : words::files::nothingHere;
   if (shown.empty()) hint(ui, entries_.empty() ? none : words::common::nothingCalledThat);
-  if (isCut_) textLine(ui, "browser.cut", fmt::format(words::files::tooManyHere, kMostLookedAt), ui.theme.textQuiet);
   ImGui::EndChild();
   ImGui::PopStyleColor(2);
   if (into) enter(*into);

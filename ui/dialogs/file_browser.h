@@ -34,7 +34,9 @@ class FileBrowser {
  private:
   struct Entry {
     std::string name;
+    std::string lower;  ///< the same in lower case, by which it is filtered
     bool folder = false;
+    bool passes(const std::string& lowerFilter) const { return lower.find(lowerFilter) != std::string::npos; }
   };
   void enter(const std::filesystem::path& folder);
   /// The folder, or what is there still: the nearest above it, or else the first of the bookmarks.
@@ -42,8 +44,6 @@ class FileBrowser {
   bool accepts(const std::filesystem::path& file) const;
   /// What is typed, from the folder that is shown.
   std::filesystem::path named() const;
-  /// Whether the filter lets it through.
-  bool passes(const Entry& entry) const;
   /// Names the next file of the list in that direction, as long as there is one.
   void step(int direction);
   void drawHead(Ui& ui);

@@ -7,7 +7,8 @@ namespace loomlight::words::files {
 inline constexpr const char* filter = "Show only names with\xE2\x80\xA6";
 inline constexpr const char* up = "\xE2\x86\x91  Up";
 inline constexpr const char* nothingHere = "Nothing here that this dialog can use.";
-inline constexpr const char* tooManyHere = "Of the first {} in this folder; what is not among them can be typed.";
+inline constexpr const char* tooManyHere =
+    "Only the first {} entries of this folder were looked at. Type the name of one that is missing.";
 inline constexpr const char* nameOrPath = "File name or path";
 inline constexpr const char* noFolderHere = "No folder in this one.";
 inline constexpr const char* folderOrPath = "Name of a new folder in this one, or path";

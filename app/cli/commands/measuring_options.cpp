@@ -1,6 +1,9 @@
 #include "app/cli/commands/measuring_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "app/cli/common_options.h"
 #include "app/cli/usage_error.h"
@@ -79,6 +82,11 @@ void addClearBench(CLI::App& app, ClearBenchCommand& command) {
       ->delimiter(',');
   addValue(app, "--size", "WxH", "pixels; 640x400 where not given", [&command](const auto& option, const auto& text) {
     const PictureSize size = parseSize(option, text);
+    const auto [least, most] = std::minmax(size.width, size.height);
+    if (least < ClearBenchCommand::kLeastSide || most > ClearBenchCommand::kMostSide)
+      throw UsageError(fmt::format("{0}: expected {1}x{1} to {2}x{2}, got {3}x{4}", option,
+                                   ClearBenchCommand::kLeastSide, ClearBenchCommand::kMostSide, size.width,
+                                   size.height));
     command.width = size.width;
     command.height = size.height;
   });

@@ -151,12 +151,21 @@ std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const 
     given.push_back({kind.colour, fabric.fibres[yarn.fibre].absorption_per_mm, {}});
     fabric.yarns.push_back(yarn);
   }
+  int unblended = 0;
   for (const auto& [kind, index] : yarnOf) {
     Yarn& yarn = fabric.yarns[index];
     if (!yarn.blendFibre) continue;
     yarn.blendFibre = fibres.in(*yarn.blendFibre, kind.colour);
-    if (!yarn.blendFibre) yarn.blendShare.reset();
+    if (yarn.blendFibre) continue;
+    yarn.blendShare.reset();
+    ++unblended;
   }
+  if (unblended > 0)
+    warnings.push_back(
+        {fmt::format("A fabric has at most {} fibres; {} yarns are of the first fibre of your blend alone.", kMaxKinds,
+                     unblended),
+         {},
+         WifConcern::look});
   if (held) warnings.push_back(heldYarns());
   const auto sequence = [&yarnOf](const std::vector<Kind>& kinds) {
     std::vector<int> yarns;

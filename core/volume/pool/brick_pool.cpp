@@ -71,12 +71,6 @@ void BrickPool::takeRanges(uint32_t blocks, Entry& entry) {
   }
 }
 
-bool BrickPool::isHalfFull() const {
-  std::lock_guard lock(mutex_);
-  return entries_.end() > kMostEntries / 2 || blocks_.end() > kMostBlocks / 2 ||
-         components_.end() > kMostComponents / 2;
-}
-
 void BrickPool::hold(std::span<const Id> bricks) {
   std::lock_guard lock(mutex_);
   for (const Id brick : bricks)

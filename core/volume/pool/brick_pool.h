@@ -47,9 +47,6 @@ class BrickPool {
   void hold(std::span<const Id> bricks);
   void release(std::span<const Id> bricks);
 
-  /// Whether another volume as large as all those that share it may find no room in it.
-  bool isHalfFull() const;
-
   const Entry* entries() const { return entries_.data(); }
   const BrickBlock* blocks() const { return blocks_.data(); }
   const Component* components() const { return components_.data(); }
@@ -60,7 +57,7 @@ class BrickPool {
   void takeRanges(uint32_t blocks, Entry& entry);
 
   glm::ivec3 cell_;
-  mutable std::mutex mutex_;  ///< of the arenas' ranges and the entries' holders
+  std::mutex mutex_;  ///< of the arenas' ranges and the entries' holders
   Arena<Entry> entries_;
   Arena<BrickBlock> blocks_;
   Arena<Component> components_;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <map>
+#include <new>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -19,6 +20,21 @@
 // stretch (completed).
 
 namespace loomlight {
+namespace {
+
+/// What is made beside a volume that it comes out of shares that one's pool of bricks. Where there is no room in it for
+/// both, it is made alone, in a pool of its own.
+template <class Make>
+std::shared_ptr<const ClothVolume> besideOrAlone(const ClothVolume* previous, const Make& make) {
+  if (!previous) return make(nullptr);
+  try {
+    return make(previous);
+  } catch (const std::bad_alloc&) {
+    return make(nullptr);
+  }
+}
+
+}  // namespace
 
 ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid, std::shared_ptr<BrickPool> pool)
     : geometry_(std::move(geometry)),
@@ -37,7 +53,6 @@ ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGri
 std::shared_ptr<ClothVolume> ClothVolume::begin(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                 const Task& task, const ClothVolume* previous) {
   const VoxelGrid grid = makeGrid(*geometry, resolution);
-  if (previous && previous->pool_->isHalfFull()) previous = nullptr;
   auto pool = previous && previous->grid_ == grid ? previous->pool_ : std::make_shared<BrickPool>(grid.perCell());
   std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), grid, std::move(pool)));
   if (!previous || !volume->editTiles(*previous, task)) volume->readTiles(previous, task);
@@ -47,30 +62,37 @@ std::shared_ptr<ClothVolume> ClothVolume::begin(std::shared_ptr<const ClothGeome
 std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                       const Task& task, const ClothVolume* previous,
                                                       const PreviewSink* look) {
-  const auto volume = begin(std::move(geometry), resolution, task, previous);
-  if (!volume) return nullptr;
-  const Wanted wanted = volume->wanted(look ? look->inView : CellRect{});
-  const std::span<const MissingBrick> bricks = wanted.bricks;
-  size_t done = 0;
-  for (const size_t stage : {wanted.sketch, wanted.seen, bricks.size()}) {
-    if (stage == done || (!look && stage < bricks.size())) continue;
-    if (!volume->makeBricks(bricks.subspan(done, stage - done), done, bricks.size(), task)) return nullptr;
-    done = stage;
-    if (look && done < bricks.size() && look->wanted(static_cast<double>(done) / static_cast<double>(bricks.size())))
-      look->show(volume->completed());
-  }
-  volume->bricksVoxelised_ = done;
-  return volume;
+  const auto make = [&](const ClothVolume* reused) -> std::shared_ptr<const ClothVolume> {
+    const auto volume = begin(geometry, resolution, task, reused);
+    if (!volume) return nullptr;
+    const Wanted wanted = volume->wanted(look ? look->inView : CellRect{});
+    const std::span<const MissingBrick> bricks = wanted.bricks;
+    size_t done = 0;
+    for (const size_t stage : {wanted.sketch, wanted.seen, bricks.size()}) {
+      if (stage == done || (!look && stage < bricks.size())) continue;
+      if (!volume->makeBricks(bricks.subspan(done, stage - done), done, bricks.size(), task)) return nullptr;
+      done = stage;
+      if (look && done < bricks.size() && look->wanted(static_cast<double>(done) / static_cast<double>(bricks.size())))
+        look->show(volume->completed());
+    }
+    volume->bricksVoxelised_ = done;
+    return volume;
+  };
+  return besideOrAlone(previous, make);
 }
 
 std::shared_ptr<const ClothVolume> ClothVolume::sketch(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                        const CellRect& inView, const Task& task,
                                                        const ClothVolume* previous) {
-  const auto volume = begin(std::move(geometry), resolution, task, previous);
-  if (!volume) return nullptr;
-  const Wanted wanted = volume->wanted(inView);
-  if (!volume->makeBricks(std::span(wanted.bricks).first(wanted.sketch), 0, wanted.bricks.size(), task)) return nullptr;
-  return volume->completed();
+  const auto make = [&](const ClothVolume* reused) -> std::shared_ptr<const ClothVolume> {
+    const auto volume = begin(geometry, resolution, task, reused);
+    if (!volume) return nullptr;
+    const Wanted wanted = volume->wanted(inView);
+    if (!volume->makeBricks(std::span(wanted.bricks).first(wanted.sketch), 0, wanted.bricks.size(), task))
+      return nullptr;
+    return volume->completed();
+  };
+  return besideOrAlone(previous, make);
 }
 
 std::shared_ptr<const ClothVolume> ClothVolume::atLevel(int level, const Task& task) const {

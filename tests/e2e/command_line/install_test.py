@@ -32,7 +32,7 @@ class Install(CommandLineTest):
         first.rename(second)
         self.assertIn(str(second / "share/loomlight/samples"), self.run_in(second, "--help"))
         samples = second / "share" / "loomlight" / "samples"
-        for folder in (samples, samples / "cloths"):
+        for folder in (samples, samples / "cloths", samples / "swatches"):
             self.assertEqual({file.name for file in folder.iterdir() if file.is_file()},
                              {file.name for file in (ROOT / folder.relative_to(samples.parent)).iterdir() if file.is_file()})
         self.run_in(second, "render", str(samples / "denim.json"), "-o", "a.png", "--size", "32x24", "--spp", "1",

@@ -2,7 +2,7 @@
 drag is another picture of the cloth, before the button comes up.
 
 That it is of another cloth, and not only of more samples, is told by the light in it: noise leaves the mean of all pixels
-where it is, while each of these steps changes it by several times what noise could.
+where it is, while each of these steps changes it by at least twice what noise could.
 """
 
 import os

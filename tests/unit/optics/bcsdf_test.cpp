@@ -92,7 +92,7 @@ TEST(FibreBcsdf, ValuesOfManyRaysAtManyOffsetsAreToTheBitThoseOfEachAlone) {
       for (size_t at = 0; at < 2; ++at)
         for (size_t lane = 0; lane < 8; ++lane) {
           const auto alone = bcsdf.evaluate(rays.wo[lane], rays.wi[lane], at == 0 ? rays.h[lane] : -rays.h[lane]);
-          for (size_t mode = 0; mode < FibreBcsdf::kLobes; ++mode)
+          for (size_t mode = 0; mode < FibreBcsdf::kModes; ++mode)
             ASSERT_EQ(values[at].q[mode][lane], alone.q[mode]) << lane << " " << mode;
           ASSERT_EQ(values[at].chord_radii[lane], alone.chord_radii);
           ASSERT_EQ(values[at].internalReflectance[lane], alone.internalReflectance);
@@ -103,7 +103,7 @@ TEST(FibreBcsdf, ValuesOfManyRaysAtManyOffsetsAreToTheBitThoseOfEachAlone) {
 
 TEST(FibreBcsdf, SamplesOfManyRaysAreToTheBitThoseOfEachAlone) {
   Random random(4);
-  std::array<int, FibreBcsdf::kLobes> modes{};
+  std::array<int, FibreBcsdf::kModes> modes{};
   for (const double tilt_deg : {0.0, 3.0}) {
     const FibreBcsdf bcsdf(fibreOf(0.4, 0.3, 1.55, tilt_deg));
     for (int i = 0; i < 500; ++i) {

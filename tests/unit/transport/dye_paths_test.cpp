@@ -30,6 +30,14 @@ Lab labOf(const PathLengthTally& paths, const Rgb& absorption_per_mm) {
   return labFromLinear(glm::dvec3(paths.colour({absorption_per_mm})));
 }
 
+/// The report's tables dim light that comes straight from a lamp, so that its paths would bring parts of their light.
+TEST(DyePaths, AreNeverTracedByTheReportsEstimator) {
+  Fabric fabric;
+  fabric.render.estimator = Estimator::report;
+  ASSERT_TRUE(fabric.render.needsVisibility());
+  EXPECT_EQ(colourPatch(fabric).render.estimator, Estimator::loomlight);
+}
+
 /// By so much tallies of other paths really are off, in any of these dyes; and in the worst of them by hardly less.
 TEST(DyePaths, TheErrorIsThatOfManyTallies) {
   constexpr size_t kCount = 4096;

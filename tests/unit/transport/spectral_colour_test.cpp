@@ -200,13 +200,13 @@ TEST(SpectralColour, NothingIsBrighterThanTheLeastAbsorptionSays) {
   const std::vector<Rgb> least = leastAbsorption_per_mm(colouringOf(fabric));
   EXPECT_EQ(least[0], Rgb(0, 100, 100));
   constexpr std::array<float, 2> kLong_mm = {0.1f, 0.1f};
-  const Rgb bound = attenuation(least, kLong_mm);
+  const Rgb bound = transmittance(least, kLong_mm);
   const float brightest = std::max({bound.r, bound.g, bound.b});
   const Spectrum left = leftInBands(kLong_mm, colouringOf(fabric));
   EXPECT_GT(left[21], 0.3f) << "there is something to be missed";
   for (const float band : left) EXPECT_LE(band, brightest + 0.03f);
   fabric.fibres[1].absorption_per_mm = Absorption(flat(50));
-  const Rgb dark = attenuation(leastAbsorption_per_mm(colouringOf(fabric)), kLong_mm);
+  const Rgb dark = transmittance(leastAbsorption_per_mm(colouringOf(fabric)), kLong_mm);
   EXPECT_LT(std::max({dark.r, dark.g, dark.b}), 0.01f) << "paths that bring nothing would never end";
 }
 
