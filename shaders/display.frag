@@ -51,7 +51,7 @@ bool isLit(ivec2 pixel) {
   ivec2 c = crossingAt(pixel);
   if (c.r == kNoCloth) return false;
   ivec2 repeat = lit.zw;
-  ivec2 within = c - repeat * ivec2(floor(vec2(c) / vec2(repeat)));
+  ivec2 within = c - repeat * ivec2(floor((vec2(c) + 0.5) / vec2(repeat)));  // a quotient may be a little less
   return within == lit.xy;
 }
 

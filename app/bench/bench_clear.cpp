@@ -90,7 +90,8 @@ class ClearBench {
                   drags_);
     }
     page_.csv("clear_course", {"cloth", "drape", "light", "edit", "light shared", "s", "samples", "FLIP"}, courses_);
-    page_.paragraph(fmt::format("Measured on {}", machineFacts(task_.threads)));
+    page_.paragraph(
+        fmt::format("Measured on {}", machineFacts(command_.threads > 0 ? command_.threads : task_.threads)));
     return page_.finish();
   }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "app/bench/quantile.h"
 #include "app/bench/studies/report_page.h"
 #include "app/bench/studies/wardrobe_study.h"
+#include "core/base/quantile.h"
 #include "core/fabric/yarn/derived.h"
 
 namespace loomlight {

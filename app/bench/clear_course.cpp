@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "app/cli/version_text.h"
 #include "core/base/checksum.h"
 #include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
@@ -96,8 +97,10 @@ ClearReference::ClearReference(const Fabric& fabric, const ClearReferenceTask& o
     : width_(of.width), height_(of.height) {
   Fabric seeded = fabric;
   seeded.render.seed = kReferenceSeed;
+  // Another program may trace it otherwise, or look at other windows.
   const uint64_t key =
-      hashBytes(hashCombine(hashCombine(hashCombine(0, width_), height_), of.samples), fabricToJson(seeded));
+      hashBytes(hashBytes(hashCombine(hashCombine(hashCombine(0, width_), height_), of.samples), fabricToJson(seeded)),
+                buildName());
   std::filesystem::create_directories(of.folder);
   const std::string file = fmt::format("{}/{:016x}.exr", of.folder, key);
   const std::vector<PixelRect> rects = windowsIn(width_, height_);

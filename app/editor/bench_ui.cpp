@@ -12,6 +12,7 @@
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/thread_clock.h"
 #include "app/editor/session.h"
+#include "core/base/quantile.h"
 #include "core/base/stopwatch.h"
 #include "core/fabric/weave/jacquard.h"
 
@@ -67,12 +68,6 @@ constexpr Measure kMeasures[] = {{"besides_drawing_ms", "all but drawing", &Fram
                                  {"panels_ms", "drawing: panels", &FrameTimes::panels},
                                  {"panels_cpu_ms", "the same, processor time", &FrameTimes::panelsCpu},
                                  {"pixels_ms", "drawing: OpenGL", &FrameTimes::pixels}};
-
-double quantile(std::vector<double>& values, double part) {
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
 
 }  // namespace
 

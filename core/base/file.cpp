@@ -81,23 +81,6 @@ bool keepPermissions(int fd, const std::string& target) {
   return ::stat(target.c_str(), &old) != 0 || ::fchmod(fd, old.st_mode & 07777) == 0;
 }
 
-/// A place where a file may be put, as far as rights tell.
-void expectPlace(const std::string& file) {
-  std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  if (folder.empty()) folder = ".";
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    throw InputError(fmt::format("{}: expected a folder that exists, '{}' is none", file, folder.string()));
-  struct stat status{};
-  const bool exists = ::stat(file.c_str(), &status) == 0;
-  if (!exists && errno != ENOENT) fail(file, "cannot be written");  // such as a symbolic link to itself
-  if (exists && !S_ISREG(status.st_mode))
-    throw InputError(file + ": cannot be written: expected a regular file, or none yet");
-  // A rename would replace a write-protected file without a word.
-  if (exists && ::access(file.c_str(), W_OK) != 0) fail(file, "cannot be written");
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, "cannot be written into its folder");
-}
-
 }  // namespace
 
 std::string readFile(const std::string& file, size_t maxBytes) {
@@ -128,12 +111,19 @@ std::string readFile(const std::string& file, size_t maxBytes) {
 }
 
 void expectWritable(const std::string& file) {
-  expectPlace(file);
-  // Rights do not tell of a system that takes no files at all.
-  std::string name;
-  const Descriptor fd(openBeside(replacedBy(file), name));
-  if (fd.get() < 0) fail(file, "cannot be written");
-  ::unlink(name.c_str());
+  std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (folder.empty()) folder = ".";
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw InputError(fmt::format("{}: expected a folder that exists, '{}' is none", file, folder.string()));
+  struct stat status{};
+  const bool exists = ::stat(file.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail(file, "cannot be written");  // such as a symbolic link to itself
+  if (exists && !S_ISREG(status.st_mode))
+    throw InputError(file + ": cannot be written: expected a regular file, or none yet");
+  // A rename would replace a write-protected file without a word.
+  if (exists && ::access(file.c_str(), W_OK) != 0) fail(file, "cannot be written");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, "cannot be written into its folder");
 }
 
 std::filesystem::path replacedBy(const std::string& file) {
@@ -149,7 +139,7 @@ void syncFolder(const std::filesystem::path& file) {
 }
 
 bool writeFileAtomically(const std::string& file, std::string_view content, const std::stop_token& stop) {
-  expectPlace(file);
+  expectWritable(file);
   const std::string target = replacedBy(file).string();
   std::string name;
   bool written = false;

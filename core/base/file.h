@@ -13,8 +13,7 @@ namespace loomlight {
 std::string readFile(const std::string& file, size_t maxBytes);
 
 /// Throws InputError where writeFileAtomically() could not write: no such folder, no right to write into it, or
-/// something that is no regular file in its place. Called before long work, so that a slip in a name costs nothing; a
-/// file without a byte is there for a moment, as only that tells whether there can be one.
+/// something that is no regular file in its place. Called before long work, so that a slip in a name costs nothing.
 void expectWritable(const std::string& file);
 
 /// The file that is replaced where this one is to be written: a symbolic link is followed.

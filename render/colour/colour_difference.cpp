@@ -9,8 +9,8 @@ Lab labUnder(const TristimulusWeights& weights, const Spectrum& reflectance) {
   return labFromWhiteXyz(weighted(weights, reflectance) / whiteXyz(weights));
 }
 
-glm::dvec3 linearUnder(const TristimulusWeights& weights, const Lab& lab) {
-  const glm::dvec3 white = whiteXyz(weights), d65 = d65Xyz();
+glm::dvec3 linearUnder(const glm::dvec3& white, const Lab& lab) {
+  const glm::dvec3 d65 = d65Xyz();
   return linearFromWhiteXyz(bradford(white, d65) * (whiteXyzFromLab(lab) * white) / d65);
 }
 

@@ -10,9 +10,9 @@ namespace loomlight {
 /// CIELAB of a reflectance under the light of the weights, whose perfect diffuser is L* = 100.
 Lab labUnder(const TristimulusWeights& weights, const Spectrum& reflectance);
 
-/// The colour that CIELAB under that light means, adapted to D65 (Bradford), as linear Rec. 709; the colours of books,
-/// whose white is mostly D50, among them. Outside of the gamut channels are beyond [0, 1].
-glm::dvec3 linearUnder(const TristimulusWeights& weights, const Lab& lab);
+/// The colour that CIELAB means for that white (XYZ), adapted to D65 (Bradford), as linear Rec. 709; the colours of
+/// books, whose white is mostly D50, among them. Outside of the gamut channels are beyond [0, 1].
+glm::dvec3 linearUnder(const glm::dvec3& white, const Lab& lab);
 
 /// CMC(l:c) of the Society of Dyers and Colourists (ISO 105-J03). Not the same both ways: the standard says how large
 /// the ellipsoid is. The textile trade takes l = 2 and c = 1 to pass or fail.

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/text_encoding.h"
 #include "render/colour/illuminants.h"
 
 // How it works. A text of two columns, wavelength in nm and power, is read line by line; # begins a comment, and one
@@ -51,14 +52,6 @@ std::string_view withoutComment(std::string_view text) {
 
 bool isBlank(std::string_view text) {
   return std::all_of(text.begin(), text.end(), isBetween);
-}
-
-/// The next line of a text, which goes on behind it.
-std::string_view nextLine(std::string_view& rest) {
-  const size_t end = std::min(rest.find('\n'), rest.size());
-  const std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(std::min(end + 1, rest.size()));
-  return line;
 }
 
 std::optional<Line> lineOf(std::string_view text) {
@@ -110,9 +103,9 @@ class Reader {
 };
 
 std::vector<Line> readLines(const std::string& file) {
-  const std::string content = readFile(file, kMostLampBytes);
+  const std::string content = decodeText(readFile(file, kMostLampBytes), file).text;
   Reader reader(file);
-  for (std::string_view rest = content; !rest.empty();) reader.line(nextLine(rest));
+  for (std::string_view rest = content; !rest.empty();) reader.line(takeLine(rest));
   return reader.take();
 }
 
@@ -147,13 +140,13 @@ bool looksLikeAFile(const std::string& name) {
 bool isIlluminantFile(const std::string& file) {
   std::string content;
   try {
-    content = readFile(file, kMostLampBytes);
+    content = decodeText(readFile(file, kMostLampBytes), file).text;
   } catch (const InputError&) {
     return false;  // who opens it will say why
   }
   int headings = 0;
   for (std::string_view rest = content; !rest.empty() && headings < 2;) {
-    const std::string_view line = withoutComment(nextLine(rest));
+    const std::string_view line = withoutComment(takeLine(rest));
     if (lineOf(line)) return true;
     if (!isBlank(line)) ++headings;
   }

@@ -108,16 +108,4 @@ Illuminant illuminantNamed(const std::string& name) {
   return illuminantOf(*lamp);
 }
 
-Spectrum bandPower(const Illuminant& illuminant) {
-  Spectrum bands;
-  for (size_t j = 0; j < kBands; ++j) {
-    const int middle = bandWavelength_nm(j) - kFirstVisible_nm;
-    double sum = 0;
-    for (int away = 1 - kBandStep_nm; away < kBandStep_nm; ++away)
-      sum += (kBandStep_nm - std::abs(away)) * illuminant.power[middle + away];
-    bands[j] = static_cast<float>(sum / (kBandStep_nm * kBandStep_nm));
-  }
-  return bands;
-}
-
 }  // namespace loomlight

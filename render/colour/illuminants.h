@@ -31,8 +31,4 @@ Illuminant illuminantCalled(const std::string& nameOrFile);
 /// measured reflectance looks the same.
 bool isIlluminantFile(const std::string& file);
 
-/// The power of a light in each band, as a spectrophotometer of 10 nm sees it: the mean under a triangle that is 20 nm
-/// wide at its foot.
-Spectrum bandPower(const Illuminant& illuminant);
-
 }  // namespace loomlight

@@ -27,7 +27,6 @@ class ReportPage {
   /// Writes NAME.md; returns its file name.
   std::string finish();
 
-  const std::string& folder() const { return folder_; }
   static constexpr size_t kSmall_bytes = 100'000;
 
  private:

@@ -26,8 +26,7 @@ glm::dvec3 whiteOf(const std::string& illuminant, Observer observer) {
 Rgb linearOf(const WhiteLab& lab) {
   const glm::dvec3 white =
       whiteOf(lab.illuminant, lab.observer_degrees == 10 ? Observer::degrees10 : Observer::degrees2);
-  const glm::dvec3 xyz = bradford(white, d65Xyz()) * (whiteXyzFromLab({lab.L, lab.a, lab.b}) * white);
-  return Rgb(linearFromWhiteXyz(xyz / d65Xyz()));
+  return Rgb(linearUnder(white, {lab.L, lab.a, lab.b}));
 }
 
 /// Of a colour of three numbers no more is known than how it looks to the observer of displays.

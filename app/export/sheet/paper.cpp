@@ -8,6 +8,7 @@
 #include "app/export/sheet/cairo_output.h"
 #include "app/export/sheet/pdf_profile.h"
 #include "core/base/file.h"
+#include "core/base/utf8.h"
 
 namespace loomlight {
 namespace {
@@ -68,7 +69,8 @@ double Paper::width(const std::string& text, const Font& font) {
 }
 
 double Paper::text(double x, double y, const std::string& text, const Font& font, double room_mm) {
-  std::string shown = text;
+  constexpr size_t kMostBytes = 2000;  // more than fit on a page, so that long texts are soon cut
+  std::string shown(room_mm > 0 ? wholeCharacters(text, kMostBytes) : text);
   if (room_mm > 0 && width(shown, font) > room_mm) {
     const std::string ellipsis = "\xE2\x80\xA6";
     while (!shown.empty() && width(shown + ellipsis, font) > room_mm) {
@@ -103,7 +105,7 @@ double Paper::paragraph(double x, double y, const std::string& text, const Font&
       line = longer;  // cut off below
       break;
     }
-    this->text(x, y + step * lines++, line, font);
+    this->text(x, y + step * lines++, line, font, room_mm);
     line = word;
   }
   if (!line.empty()) this->text(x, y + step * lines++, line, font, room_mm);

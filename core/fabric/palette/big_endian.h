@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/fabric/wif/text_encoding.h"
+#include "core/base/text_encoding.h"
 
 namespace loomlight {
 

@@ -10,8 +10,8 @@
 #include "core/base/file.h"
 #include "core/base/rgb.h"
 #include "core/base/text.h"
+#include "core/base/text_encoding.h"
 #include "core/fabric/palette/palette_readers.h"
-#include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_values.h"
 
 namespace loomlight {
@@ -46,11 +46,12 @@ void addSrgb(Palette& palette, std::string name, const glm::dvec3& encoded, cons
   add(palette, {std::move(name), linear, std::nullopt, std::nullopt}, place);
 }
 
-void addLab(Palette& palette, std::string name, const WhiteLab& lab, const std::string& place) {
+void addLab(Palette& palette, std::string name, WhiteLab lab, const std::string& place) {
   constexpr double kMost = 200;  // of a and b
   if (!(lab.L >= 0 && lab.L <= 100.5 && std::abs(lab.a) <= kMost && std::abs(lab.b) <= kMost))
     throw InputError(
         fmt::format("{}: expected CIELAB, L* of 0 to 100; it is {:g}, {:g}, {:g}", place, lab.L, lab.a, lab.b));
+  lab.L = std::min(lab.L, 100.0);  // instruments round
   add(palette, {std::move(name), Rgb(0), lab, std::nullopt}, place);
 }
 

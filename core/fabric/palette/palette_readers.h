@@ -21,7 +21,7 @@ Palette paletteFromTable(std::string_view text, const std::string& source);
 /// colours than a palette may have.
 void addSrgb(Palette& palette, std::string name, const glm::dvec3& encoded, const std::string& place);
 /// The same of CIELAB and of four inks, each in [0, 1]: these become sRGB as screens without a profile show them.
-void addLab(Palette& palette, std::string name, const WhiteLab& lab, const std::string& place);
+void addLab(Palette& palette, std::string name, WhiteLab lab, const std::string& place);
 void addCmyk(Palette& palette, std::string name, const glm::dvec4& inks, const std::string& place);
 
 }  // namespace loomlight

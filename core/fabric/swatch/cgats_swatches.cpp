@@ -91,11 +91,13 @@ class CgatsReader {
 
   void readFields() {
     fields_.clear();
+    wavelengths_nm_.clear();
     for (;;) {
       const std::string_view word = nextBefore("END_DATA_FORMAT");
       if (word == "END_DATA_FORMAT") return;
       if (fields_.size() == kMostFields) wrong(fmt::format("expected at most {} fields", kMostFields));
       fields_.emplace_back(word);
+      wavelengths_nm_.push_back(wavelengthIn(word));
     }
   }
 
@@ -124,7 +126,7 @@ class CgatsReader {
     for (size_t i = 0; i < set.size(); ++i) {
       if (fields_[i] == "SAMPLE_NAME") swatch.name = set[i];
       if (fields_[i] == "SAMPLE_ID" || fields_[i] == "SAMPLEID") id = set[i];
-      const std::optional<double> nm = wavelengthIn(fields_[i]);
+      const std::optional<double>& nm = wavelengths_nm_[i];
       if (!nm) continue;
       const std::optional<double> value = swatchNumber(set[i]);
       if (!value) wrong(fmt::format("{}: expected a number", plainText(fields_[i])));
@@ -142,6 +144,7 @@ class CgatsReader {
   std::string preamble_;                                     ///< the words before this table, outside of others
   SpecularComponent specular_ = SpecularComponent::unknown;  ///< as was said last
   std::vector<std::string> fields_;
+  std::vector<std::optional<double>> wavelengths_nm_;  ///< of those fields that say one
   ReflectanceUnit unit_ = ReflectanceUnit::unsaid;
   std::vector<RawSwatch> swatches_;
 };

@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 
 #include "core/base/error.h"
+#include "core/base/utf8.h"
 #include "core/fabric/model/field_path.h"
 #include "core/fabric/swatch/cxf_document.h"
 #include "core/fabric/swatch/raw_swatch.h"
@@ -49,7 +50,8 @@ std::map<std::string, Specification> specifications(const pugi::xml_document& do
 RawSwatch swatchOf(const pugi::xml_node& object, const pugi::xml_node& spectrum,
                    const std::map<std::string, Specification>& all, const std::string& source) {
   RawSwatch swatch;
-  swatch.name = cxfName(object);
+  constexpr size_t kLongestName = 200;  // bytes: each of many spectra of an object has it
+  swatch.name = wholeCharacters(cxfName(object), kLongestName);
   swatch.place = fmt::format("Object \"{}\"", plainText(swatch.name));
   const auto found = all.find(spectrum.attribute("ColorSpecification").value());
   const Specification specification = found == all.end() ? Specification{} : found->second;
@@ -76,8 +78,11 @@ SwatchFile swatchesFromCxf(std::string_view text, const std::string& source) {
   const std::map<std::string, Specification> all = specifications(cxf.document());
   std::vector<RawSwatch> swatches;
   for (const pugi::xml_node& object : cxfNamed(cxf.document(), "Object"))
-    for (const pugi::xml_node& spectrum : cxfNamed(object, "ReflectanceSpectrum"))
+    for (const pugi::xml_node& spectrum : cxfNamed(object, "ReflectanceSpectrum")) {
+      if (swatches.size() == kMostSwatches)
+        throw InputError(fmt::format("{}: expected at most {} swatches", source, kMostSwatches));
       swatches.push_back(swatchOf(object, spectrum, all, source));
+    }
   return swatchesOf(std::move(swatches), ReflectanceUnit::usuallyFraction, source);
 }
 

@@ -8,8 +8,8 @@
 #include "core/base/file.h"
 #include "core/base/sprague.h"
 #include "core/base/text.h"
+#include "core/base/text_encoding.h"
 #include "core/fabric/swatch/raw_swatch.h"
-#include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_values.h"
 
 namespace loomlight {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text_encoding.h"
 #include "core/fabric/swatch/measured_swatch.h"
-#include "core/fabric/wif/text_encoding.h"
 
 /// Between the files of instruments and measurements: what every reader of a format hands on, and what all share.
 namespace loomlight {

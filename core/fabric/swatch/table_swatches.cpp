@@ -52,13 +52,14 @@ class TableReader {
 
   /// Swatches are lines below their titles.
   std::vector<RawSwatch> below(size_t titles) const {
-    const std::vector<std::string_view>& columns = table_.rows()[titles].cells;
+    std::vector<std::optional<double>> columns_nm;
+    for (const std::string_view title : table_.rows()[titles].cells) columns_nm.push_back(wavelengthIn(title));
     std::vector<RawSwatch> swatches;
     for (size_t r = titles + 1; r < table_.rows().size(); ++r) {
       const Row& row = table_.rows()[r];
       RawSwatch swatch = swatchAt(row.line);
-      for (size_t i = 0; i < columns.size(); ++i) {
-        const std::optional<double> nm = wavelengthIn(columns[i]);
+      for (size_t i = 0; i < columns_nm.size(); ++i) {
+        const std::optional<double>& nm = columns_nm[i];
         const std::string_view cell = i < row.cells.size() ? row.cells[i] : std::string_view();
         if (!nm && swatch.name.empty()) swatch.name = cell;
         if (!nm) continue;

@@ -41,6 +41,19 @@ char separatorOf(std::string_view text) {
   return 2 * semicolons > lines ? ';' : 2 * tabs > lines ? '\t' : ',';
 }
 
+/// Where the first cell of a line ends; what stands in quotes may have separators in it, and doubled quotes.
+size_t endOfCell(std::string_view line, char separator) {
+  size_t from = 0;
+  const size_t start = std::min(line.find_first_not_of(' '), line.size());
+  if (line.substr(start).starts_with('"'))
+    for (size_t quote = line.find('"', start + 1); quote != std::string_view::npos; quote = line.find('"', from)) {
+      from = quote + 1;
+      if (from == line.size() || line[from] != '"') break;
+      ++from;
+    }
+  return std::min(line.find(separator, from), line.size());
+}
+
 }  // namespace
 
 TextTable::TextTable(std::string_view text, const std::string& source)
@@ -52,7 +65,7 @@ TextTable::TextTable(std::string_view text, const std::string& source)
     hasPercentSign_ = hasPercentSign_ || line.find('%') != std::string_view::npos;
     std::vector<std::string_view> cells;
     for (;;) {
-      const size_t end = std::min(line.find(separator_), line.size());
+      const size_t end = endOfCell(line, separator_);
       cells.push_back(unquoted(line.substr(0, end)));
       if (cells.size() > kMostCells) wrong(number, fmt::format("expected at most {} cells", kMostCells));
       if (end == line.size()) break;

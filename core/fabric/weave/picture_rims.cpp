@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 // How it works. Where a smooth edge was drawn, a pixel has a share of the colour on either side. Such a pixel lies
 // between two opposite neighbours that are clearly apart: near the line from one colour to the other, at neither end of
@@ -81,32 +82,43 @@ void takeRimsIntoNeighbours(const Raster& raster, const std::vector<Rgb8>& palet
   std::vector<size_t> rims;
   for (size_t i = 0; i < kinds.size(); ++i)
     if (kinds[i] == PixelKind::rim) rims.push_back(i);
-  const auto nearestBeside = [&](size_t i) {
+  const auto forNeighbours = [&raster](size_t i, auto&& visit) {  // and for the pixel itself
     const int x = static_cast<int>(i % static_cast<size_t>(raster.width));
     const int y = static_cast<int>(i / static_cast<size_t>(raster.width));
+    for (int ny = std::max(0, y - 1); ny <= std::min(raster.height - 1, y + 1); ++ny)
+      for (int nx = std::max(0, x - 1); nx <= std::min(raster.width - 1, x + 1); ++nx)
+        visit(static_cast<size_t>(ny) * static_cast<size_t>(raster.width) + static_cast<size_t>(nx));
+  };
+  const auto nearestBeside = [&](size_t i) {
     std::optional<uint8_t> nearest;
     double least = 0;
-    for (int ny = std::max(0, y - 1); ny <= std::min(raster.height - 1, y + 1); ++ny)
-      for (int nx = std::max(0, x - 1); nx <= std::min(raster.width - 1, x + 1); ++nx) {
-        const size_t n = static_cast<size_t>(ny) * static_cast<size_t>(raster.width) + static_cast<size_t>(nx);
-        if (kinds[n] == PixelKind::rim) continue;
-        const double apart = distance2(exactly(raster.pixels[i]), exactly(palette[numbers[n]]));
-        if (nearest && apart >= least) continue;
-        least = apart;
-        nearest = numbers[n];
-      }
+    forNeighbours(i, [&](size_t n) {
+      if (kinds[n] == PixelKind::rim) return;
+      const double apart = distance2(exactly(raster.pixels[i]), exactly(palette[numbers[n]]));
+      if (nearest && apart >= least) return;
+      least = apart;
+      nearest = numbers[n];
+    });
     return nearest;
   };
+  // Layer by layer from outside: after a layer only its neighbours can be taken.
+  std::vector<uint8_t> isNext(kinds.size(), 0);
   while (!rims.empty()) {
-    std::vector<size_t> taken, left;
+    std::vector<size_t> taken;
     for (const size_t i : rims) {
+      isNext[i] = 0;
       const std::optional<uint8_t> number = nearestBeside(i);
-      if (number) numbers[i] = *number;
-      (number ? taken : left).push_back(i);
+      if (!number) continue;
+      numbers[i] = *number;
+      taken.push_back(i);
     }
-    if (taken.empty()) return;
     for (const size_t i : taken) kinds[i] = PixelKind::area;
-    rims = std::move(left);
+    rims.clear();
+    for (const size_t i : taken)
+      forNeighbours(i, [&](size_t n) {
+        if (kinds[n] != PixelKind::rim || std::exchange(isNext[n], 1) != 0) return;
+        rims.push_back(n);
+      });
   }
 }
 

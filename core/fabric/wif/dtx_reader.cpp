@@ -8,11 +8,11 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/text_encoding.h"
 #include "core/base/utf8.h"
 #include "core/fabric/model/field_path.h"
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/validate.h"
-#include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_sections.h"
 #include "core/fabric/wif/wif_values.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/fabric/wif/text_encoding.h"
+#include "core/base/text_encoding.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_values.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/fabric/wif/text_encoding.h"
+#include "core/base/text_encoding.h"
 #include "core/fabric/wif/wif_values.h"
 
 // How it works. One pass, line by line: [a heading], key=value, ; a comment. A value that ends in a comma or a

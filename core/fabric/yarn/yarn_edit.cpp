@@ -1,12 +1,14 @@
 #include "core/fabric/yarn/yarn_edit.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/fresh_name.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/model/wif_origin.h"
 
 namespace loomlight {
 namespace {
@@ -91,6 +93,11 @@ Fabric withoutYarn(Fabric fabric, int index) {
   std::optional<int>& selvedge = fabric.mill.selvedgeYarn;
   if (selvedge == index) selvedge.reset();
   if (selvedge > index) --*selvedge;
+  if (fabric.wif && static_cast<size_t>(index) < fabric.wif->yarns.size()) {
+    auto origin = std::make_shared<WifOrigin>(*fabric.wif);
+    origin->yarns.erase(origin->yarns.begin() + index);
+    fabric.wif = std::move(origin);
+  }
   // The later one first, so that the other keeps its place until then.
   const int first = gone.fibre, second = gone.blendFibre.value_or(first);
   dropUnusedFibre(fabric, std::max(first, second));

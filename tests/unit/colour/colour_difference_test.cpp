@@ -120,7 +120,7 @@ TEST(LabUnder, GreysAreNeutralUnderEveryLight) {
 TEST(LinearUnder, IsTheColourThatTheReflectanceHas) {
   for (const char* name : {"D50", "D65", "F11"}) {
     const glm::dvec3 straight = weighted(linearWeights(illuminantNamed(name), Observer::degrees10), slope(0.2f, 0.7f));
-    const glm::dvec3 byLab = linearUnder(under(name), labUnder(under(name), slope(0.2f, 0.7f)));
+    const glm::dvec3 byLab = linearUnder(whiteXyz(under(name)), labUnder(under(name), slope(0.2f, 0.7f)));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(byLab[c], straight[c], 1e-6) << name;
   }
 }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "tests/support/scratch_folder.h"
 
@@ -80,17 +82,6 @@ TEST(Illuminants, OfOtherNamesAreRefusedWithAList) {
   }
 }
 
-TEST(BandPower, IsTheMeanAroundTheBand) {
-  for (const float power : bandPower(illuminantNamed("E"))) EXPECT_NEAR(power, 100, 1e-4);
-  Illuminant line{"line"};
-  line.power[555 - kFirstVisible_nm] = 10;  // half way between two bands
-  const Spectrum bands = bandPower(line);
-  for (size_t j = 0; j < kBands; ++j) {
-    const bool beside = bandWavelength_nm(j) == 550 || bandWavelength_nm(j) == 560;
-    EXPECT_NEAR(bands[j], beside ? 0.5 : 0, 1e-6);
-  }
-}
-
 class IlluminantFile : public ::testing::Test {
  protected:
   Illuminant read(const std::string& text) {
@@ -118,6 +109,23 @@ TEST_F(IlluminantFile, IsReadInAllItsPunctuation) {
   EXPECT_NEAR(powerAt(light, 530) / powerAt(light, 580), 3.0 / 4, 1e-12);
   EXPECT_EQ(powerAt(light, 360), powerAt(light, 380));
   EXPECT_EQ(powerAt(light, 780), powerAt(light, 730));
+}
+
+/// As spreadsheets and old programs save them.
+TEST_F(IlluminantFile, IsReadInAnyEncodingOfText) {
+  const std::string text = "# of a shop\nnm,power\n380,1\n580,4\n730,1\n";
+  std::string wide = "\xFF\xFE", old = text;
+  for (const char c : text) wide += {c, '\0'};
+  std::replace(old.begin(), old.end(), '\n', '\r');
+  for (const std::string& bytes : {"\xEF\xBB\xBF" + text, wide, old}) {
+    EXPECT_EQ(read(bytes).power, read(text).power);
+    EXPECT_TRUE(isIlluminantFile(folder_.file("lamp.txt")));
+  }
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "380,1\n580,4\n730,1\n")
+                .power,
+            read(text).power)
+      << "the first line is none of titles";
 }
 
 TEST_F(IlluminantFile, IsKnownByItsFirstLineOfNumbers) {

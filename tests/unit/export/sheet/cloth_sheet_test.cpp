@@ -95,6 +95,15 @@ TEST_F(ClothSheet, PagesOfAPictureLieBelowEachOther) {
   }
 }
 
+/// Such as the address of a page in the notes: nothing leaves the room that it has, however long it is.
+TEST_F(ClothSheet, AWordThatIsTooLongIsCutOff) {
+  Paper paper(kSheetWidth_mm, kSheetHeight_mm);
+  const std::string endless(100'000, 'w');
+  paper.paragraph(20, 30, "See " + endless + " and " + endless, {}, 60, 5);
+  for (const Paper::Box& box : paper.boxes()) EXPECT_LE(box.width, 60) << box.text.size();
+  EXPECT_GE(paper.boxes().size(), 3u);
+}
+
 TEST_F(ClothSheet, TakesAJacquardAndSixtyYarns) {
   Fabric fabric = openCloth();
   fabric.weave = damaskJacquard(400, 300);

@@ -148,6 +148,22 @@ TEST(PaletteFile, OfATableIsReadByItsTitles) {
   EXPECT_TRUE(paletteFrom(csvOfColumns(), "a.csv").colours[1].reflectance);
 }
 
+/// What stands in quotes may have commas in it (RFC 4180).
+TEST(PaletteFile, OfATableMayHaveQuotedCells) {
+  const Palette quoted =
+      paletteFrom("name,hex\n\"navy, dark\",#00007f\n\"the \"\"old\"\", one\" , \"#ff0000\"\n", "a.csv");
+  ASSERT_EQ(quoted.colours.size(), 2u);
+  EXPECT_EQ(quoted.colours[0].name, "navy, dark");
+  expectSrgb(quoted.colours[1], {1, 0, 0});
+  EXPECT_EQ(paletteFrom("name,hex\n3\" wide,#00007f\n", "a.csv").colours[0].name, "3\" wide");
+}
+
+/// Instruments round, and no white is more than white.
+TEST(PaletteFile, LightnessIsAHundredAtMost) {
+  EXPECT_EQ(paletteFrom("name,L,a,b\nwhite,100.3,0,0\n", "a.csv").colours[0].lab->L, 100);
+  EXPECT_THROW(paletteFrom("name,L,a,b\nwhite,101,0,0\n", "a.csv"), InputError);
+}
+
 TEST(PaletteFile, ThatIsMistakenIsRefusedWithItsPlace) {
   const auto complaint = [](const std::string& bytes, const std::string& source) {
     return messageOf<InputError>([&] { paletteFrom(bytes, source); });

@@ -133,6 +133,11 @@ TEST(MistakenSwatch, ThatIsMadeToHurtIsRefused) {
                         }() +
                         "</CxF>"),
               HasSubstr("there are none"));
+  // Each of the spectra has the name of its object.
+  std::string spectra;
+  for (int i = 0; i < 25'000; ++i) spectra += "<ReflectanceSpectrum/>";
+  EXPECT_THAT(complaint("<CxF><Object Name=\"" + std::string(4'000'000, 'n') + "\">" + spectra + "</Object></CxF>"),
+              HasSubstr("at most 20000"));
   EXPECT_THROW(swatchesFrom(std::string(9'000'000, '1'), "a.csv"), InputError);
   EXPECT_THROW(swatchesFrom(std::string(1'000'000, ','), "a.csv"), InputError);
   EXPECT_THROW(swatchesFrom("BEGIN_DATA_FORMAT " + std::string(1'000'000, 'a') + " b c", "a.txt"), InputError);

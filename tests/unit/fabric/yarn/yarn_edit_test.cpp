@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "core/fabric/model/wif_origin.h"
+
 namespace loomlight {
 namespace {
 
@@ -26,6 +30,20 @@ TEST(YarnEdit, AYarnThatGoesTakesItsOwnFibresAlong) {
   EXPECT_EQ(without.colourways[0].absorption_per_mm, (std::vector<Absorption>{Rgb(1), Rgb(4)}));
   // What others are spun of stays.
   EXPECT_EQ(withoutYarn(fabric, 0).fibres.size(), 4u);
+}
+
+/// Of which each that stays keeps its own number.
+TEST(YarnEdit, AYarnThatGoesTakesItsColourInTheDraftAlong) {
+  Fabric fabric;
+  fabric.yarns = {Yarn{}, Yarn{}, Yarn{}};
+  WifOrigin origin;
+  origin.yarns = {{3, Rgb(1), {}}, {1, Rgb(2), {}}, {2, Rgb(3), {}}};
+  fabric.wif = std::make_shared<WifOrigin>(origin);
+  const Fabric without = withoutYarn(fabric, 1);
+  ASSERT_EQ(without.wif->yarns.size(), 2u);
+  EXPECT_EQ(without.wif->yarns[0], origin.yarns[0]);
+  EXPECT_EQ(without.wif->yarns[1], origin.yarns[2]);
+  EXPECT_EQ(fabric.wif->yarns.size(), 3u) << "undo has the old one";
 }
 
 TEST(YarnEdit, SelvedgesKeepTheirYarnOrGoOnWithTheWarp) {

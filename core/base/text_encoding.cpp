@@ -1,4 +1,4 @@
-#include "core/fabric/wif/text_encoding.h"
+#include "core/base/text_encoding.h"
 
 #include <fmt/format.h>
 #include <algorithm>

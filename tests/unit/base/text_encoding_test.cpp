@@ -1,4 +1,4 @@
-#include "core/fabric/wif/text_encoding.h"
+#include "core/base/text_encoding.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
