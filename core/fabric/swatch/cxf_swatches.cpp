@@ -47,11 +47,10 @@ std::map<std::string, Specification> specifications(const pugi::xml_document& do
   return all;
 }
 
-RawSwatch swatchOf(const pugi::xml_node& object, const pugi::xml_node& spectrum,
+RawSwatch swatchOf(const std::string& name, const pugi::xml_node& spectrum,
                    const std::map<std::string, Specification>& all, const std::string& source) {
   RawSwatch swatch;
-  constexpr size_t kLongestName = 200;  // bytes: each of many spectra of an object has it
-  swatch.name = wholeCharacters(cxfName(object), kLongestName);
+  swatch.name = name;
   swatch.place = fmt::format("Object \"{}\"", plainText(swatch.name));
   const auto found = all.find(spectrum.attribute("ColorSpecification").value());
   const Specification specification = found == all.end() ? Specification{} : found->second;
@@ -77,12 +76,15 @@ SwatchFile swatchesFromCxf(std::string_view text, const std::string& source) {
   const CxfDocument cxf(text, source);
   const std::map<std::string, Specification> all = specifications(cxf.document());
   std::vector<RawSwatch> swatches;
-  for (const pugi::xml_node& object : cxfNamed(cxf.document(), "Object"))
+  constexpr size_t kLongestName = 200;  // bytes: each of many spectra of an object has it
+  for (const pugi::xml_node& object : cxfNamed(cxf.document(), "Object")) {
+    const std::string name(wholeCharacters(cxfName(object), kLongestName));
     for (const pugi::xml_node& spectrum : cxfNamed(object, "ReflectanceSpectrum")) {
       if (swatches.size() == kMostSwatches)
         throw InputError(fmt::format("{}: expected at most {} swatches", source, kMostSwatches));
-      swatches.push_back(swatchOf(object, spectrum, all, source));
+      swatches.push_back(swatchOf(name, spectrum, all, source));
     }
+  }
   return swatchesOf(std::move(swatches), ReflectanceUnit::usuallyFraction, source);
 }
 
