@@ -87,7 +87,7 @@ std::optional<HandoverReport> writeHandover(const std::string& folder, const std
     return restrictedZip(packed, now);
   };
   const std::pair<std::string, std::function<std::string()>> others[] = {
-      {name + ".u3m", [&] { return u3m; }},
+      {name + ".u3m", [&] { return std::string(u3m); }},
       {name + ".u3ma", archive},
       {name + ".glb", [&] { return glbBytes(cloth, ClothSide::front, scratch); }},
       {name + "_back.glb", [&] { return glbBytes(cloth, ClothSide::back, scratch); }},
