@@ -55,7 +55,7 @@ Pixels8 draftPicture(const Fabric& fabric, std::span<const Rgb> yarnColours, int
         sum += colourAt(static_cast<int>((y + dy) * downPixel), static_cast<int>((x + dx) * acrossPixel));
       }
       const Rgb shown = srgbFromLinear(sum / static_cast<float>(samples));
-      for (int c = 0; c < 3; ++c) picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * shown[c])));
+      for (int c = 0; c < 3; ++c) picture.bytes.push_back(byteOf(shown[c]));
     }
   return picture;
 }

@@ -20,7 +20,7 @@ Pixels8 strand(const Rgb& colour, int width, int height) {
     const bool isYarn = std::abs((y + 0.5) / height - 0.5) < 0.5 * kThickness;
     const Rgb shown = srgbFromLinear(glm::clamp(isYarn ? colour : Tone{}.background, Rgb(0.0f), Rgb(1.0f)));
     for (int x = 0; x < width; ++x)
-      for (int c = 0; c < 3; ++c) picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * shown[c])));
+      for (int c = 0; c < 3; ++c) picture.bytes.push_back(byteOf(shown[c]));
   }
   return picture;
 }

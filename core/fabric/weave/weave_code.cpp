@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "core/base/period.h"
 
 // How it works. The smallest repeat of the weave is cut into groups of neighbouring ends that weave alike. Where
 // each group is the inverse of the one before it, the weave is of the plain kind (1); where each is the one before
@@ -32,27 +35,15 @@ Column inverse(Column column) {
   return column;
 }
 
-/// The shortest part that repeats, of a list that repeats as a whole.
-template <class T>
-void keepOneRepeat(std::vector<T>& list) {
-  for (size_t period = 1; period < list.size(); ++period) {
-    if (list.size() % period != 0 ||
-        !std::equal(list.begin() + static_cast<ptrdiff_t>(period), list.end(), list.begin()))
-      continue;
-    list.resize(period);
-    return;
-  }
-}
-
 /// The ends of the smallest repeat, from one that weaves otherwise than the end before it.
 std::vector<Column> endsOf(const Weave& weave) {
   std::vector<std::vector<uint8_t>> picks;
   for (int pick = 0; pick < weave.picks(); ++pick) picks.emplace_back(weave.row(pick).begin(), weave.row(pick).end());
-  keepOneRepeat(picks);
+  picks = shortestRepeat(std::move(picks));
   std::vector<Column> ends(static_cast<size_t>(weave.ends()));
   for (const std::vector<uint8_t>& pick : picks)
     for (size_t end = 0; end < ends.size(); ++end) ends[end].push_back(pick[end] != 0);
-  keepOneRepeat(ends);
+  ends = shortestRepeat(std::move(ends));
   size_t first = 0;
   while (first + 1 < ends.size() && ends[first] == ends[(first + ends.size() - 1) % ends.size()]) ++first;
   std::rotate(ends.begin(), ends.begin() + static_cast<ptrdiff_t>(first), ends.end());
