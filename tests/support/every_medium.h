@@ -19,6 +19,7 @@ struct MediumKind {
   EventLaw eventLaw = EventLaw::projected;
   FibreLayout layout = FibreLayout::packed;
   FibreExtent extent = FibreExtent::wholePiece;
+  bool fromNear = false;  ///< an eye for whom a fibre is about as wide as a pixel: of its paths some go among fibres
 
   void askFor(Fabric& fabric) const {
     fabric.render.method = method;
@@ -45,6 +46,7 @@ inline constexpr MediumKind kReport{.name = "report", .estimator = Estimator::re
 inline constexpr MediumKind kLoomlight{.name = "loomlight", .estimator = Estimator::loomlight};
 inline constexpr MediumKind kLoomlightAtRandom{
     .name = "loomlightAtRandom", .estimator = Estimator::loomlight, .layout = FibreLayout::random};
+inline constexpr MediumKind kCloseUp{.name = "closeUp", .estimator = Estimator::loomlight, .fromNear = true};
 inline constexpr MediumKind kFibres{.name = "fibres", .method = Method::fibres};
 inline constexpr MediumKind kFibresAtRandom{
     .name = "fibresAtRandom", .method = Method::fibres, .layout = FibreLayout::random};

@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/fabric/model/choice_names.h"
+#include "render/media/close_up_medium.h"
 #include "render/media/loomlight_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_medium.h"
@@ -18,6 +20,9 @@ namespace loomlight {
 namespace {
 
 using test::MediumKind;
+
+constexpr int kSide = 32;           // pixels of a picture
+constexpr double kDistance_mm = 5;  // of the eye from the middle of the cloth
 
 /// Radiance of the paths that meet a fibre.
 test::SampledMean radianceOf(const Scene& scene, const Medium& medium, int side, uint32_t samples) {
@@ -48,19 +53,19 @@ std::string nameOf(const testing::TestParamInfo<Case>& info) {
   return name;
 }
 
+/// Each medium on each drape, and by turns at each resolution: any two of the three come together in a case.
 std::vector<Case> cases() {
+  constexpr const MediumKind* kMedia[] = {&test::kPlain,          &test::kLoomlight,     &test::kFibres,
+                                          &test::kReportsLaw,     &test::kCloseUp,       &test::kLoomlightAtRandom,
+                                          &test::kFibresAtRandom, &test::kFibresInBricks};
   constexpr DrapeKind kDrapes[] = {DrapeKind::flat,    DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds,
                                    DrapeKind::cushion, DrapeKind::skirt,    DrapeKind::mesh};
+  constexpr int kResolutions[] = {4, 1, 2, 8, 16};
   std::vector<Case> all;
-  for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight, &test::kFibres})
-    for (const DrapeKind drape : kDrapes) all.push_back({*medium, drape});
-  for (const MediumKind* medium :
-       {&test::kReportsLaw, &test::kLoomlightAtRandom, &test::kFibresAtRandom, &test::kFibresInBricks})
-    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::mesh})
-      all.push_back({*medium, drape});
+  for (size_t m = 0; m < std::size(kMedia); ++m)
+    for (size_t d = 0; d < std::size(kDrapes); ++d)
+      all.push_back({*kMedia[m], kDrapes[d], kResolutions[(m + d) % std::size(kResolutions)]});
   all.push_back({test::kFibresOfOneRepeat});
-  for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight})
-    for (const int resolution : {1, 2, 8, 16}) all.push_back({*medium, DrapeKind::flat, resolution});
   for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder})
     for (int parts = 0; parts < 7; ++parts)  // 7: all of them, as above
       all.push_back({test::kLoomlight, drape, 4,
@@ -84,17 +89,24 @@ TEST_P(WhiteFurnace, ClothIsInvisible) {
   fabric.drape.width_mm = fabric.drape.height_mm = 3;
   fabric.drape.radius_mm = 1;
   if (c.drape == DrapeKind::mesh) saddle.giveTo(fabric);
-  fabric.camera.distance_mm = 5;
+  fabric.camera.distance_mm = kDistance_mm;
   fabric.render.resolution = c.resolution;
   c.medium.askFor(fabric);
+  if (c.medium.fromNear) fabric.camera.fov_deg = 6;
   white.shineOn(fabric);
   const auto scene = test::sceneOf(fabric);
   ASSERT_TRUE(scene->lighting->wantsSampling());
   std::unique_ptr<const Medium> medium = c.medium.make(*scene);
   if (c.ingredients) medium = std::make_unique<const LoomlightMedium>(scene->cloth, *c.ingredients);
+  if (c.medium.fromNear) {
+    const RayCone pixel = CameraRays(fabric.camera, kSide, kSide).ray(kSide / 2, kSide / 2).cone;
+    const float chance = closeUpChance(*scene->cloth, pixel.widthAt(kDistance_mm));
+    ASSERT_GT(chance, 0) << "no path goes among fibres";
+    ASSERT_LT(chance, 1) << "no path begins in the volume";
+  }
   // What all media share, weights and densities, is looked at closely where that costs least.
   const bool isFirst = &c.medium == &test::kPlain && c.drape == DrapeKind::flat && c.resolution == 4;
-  const test::SampledMean radiance = radianceOf(*scene, *medium, 32, isFirst ? 160 : 12);
+  const test::SampledMean radiance = radianceOf(*scene, *medium, kSide, isFirst ? 160 : 16);
   EXPECT_LT(radiance.standardError(), isFirst ? 0.001 : 0.005);
   EXPECT_TRUE(test::isWithinNoise(radiance.mean(), 1, radiance.standardError(), static_cast<int>(cases().size())));
 }
