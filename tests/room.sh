@@ -94,16 +94,15 @@ close_room() {
 }
 
 # in_room USER SCRIPT: a shell script run there by root or newcomer, from the user's home. Its processes end with it.
-in_room() { enter_room "" "$@"; }
+in_room() { enter_room network "" "$@"; }
 # in_room_offline USER SCRIPT: likewise, but no network is there.
-in_room_offline() { enter_room offline "$@"; }
-# in_room_full USER SCRIPT: likewise, with little space left where the newcomer builds.
-in_room_full() { enter_room full "$@"; }
+in_room_offline() { enter_room offline "" "$@"; }
+# in_room_full FOLDER USER SCRIPT: likewise, with little space left on the disk of that folder.
+in_room_full() { enter_room network "$@"; }
 
-enter_room() { # offline|full|"" USER SCRIPT
-  local user=$2 home=/root spec=0:0 more=() full=""
+enter_room() { # network|offline FOLDER USER SCRIPT
+  local full=$2 user=$3 script=$4 home=/root spec=0:0 more=()
   [[ $1 != offline ]] || more=(--net)
-  [[ $1 != full ]] || full=$newcomer/loomlight/.build
   [[ $user == root ]] || home=$newcomer spec=1000:1000
   local variable environment=("HOME=$home" "USER=$user" LANG=C.UTF-8 TERM=dumb PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
   for variable in http_proxy https_proxy no_proxy; do
@@ -129,7 +128,7 @@ enter_room() { # offline|full|"" USER SCRIPT
         mount -t tmpfs -o size=8m,mode=1777 full "$room$full"
       fi
       exec chroot --userspec="$spec" "$room" env -i "$@" bash -euo pipefail -c "cd $home; $script"
-    ' bash "$room" "$spec" "$home" "$3" "$full" "${environment[@]}"
+    ' bash "$room" "$spec" "$home" "$script" "$full" "${environment[@]}"
 }
 
 # clone_into_room: this tree's commit as the newcomer gets it, with its history and nothing that is not committed.
