@@ -15,7 +15,7 @@ if(NOT CMAKE_CROSSCOMPILING)
   check_cxx_source_runs("
     int main() {
       __builtin_cpu_init();
-      return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"bmi2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1;
+      return __builtin_cpu_supports(\"x86-64-v3\") ? 0 : 1;
     }" LOOMLIGHT_HOST_IS_V3)
   if(LOOMLIGHT_HOST_IS_V3)
     set(level x86-64-v3)

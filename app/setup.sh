@@ -65,7 +65,7 @@ install_packages() {
 reason_of_apt() {
   if grep -qE 'Temporary failure resolving|Could not resolve|Could not connect|Network is unreachable' "$1"; then
     echo "no network, or none that reaches the packages"
-  elif grep -qE 'No space left|enough free space' "$1"; then
+  elif grep -qE 'No space left|enough free space' "$1" || has_no_room "$(dirname "$1")"; then
     echo "the disk is full"
   elif grep -q 'Unable to locate package' "$1"; then
     echo "not known here: $(sed -n 's/.*Unable to locate package //p' "$1" | paste -sd ' '); Debian 12 and 13 have them"
@@ -80,6 +80,9 @@ free_megabytes() {
   while [[ ! -d $folder ]]; do folder=$(dirname "$folder"); done
   df --output=avail -BM "$folder" | tail -n 1 | tr -dc 0-9 # names of disks may have blanks
 }
+
+# has_no_room FOLDER: whether its disk is so full that what is written there is lost.
+has_no_room() { (($(free_megabytes "$1") < 1)); }
 
 # need_megabytes N FOLDER WHAT: says it in a line where the disk of the folder has less left.
 need_megabytes() {

@@ -97,10 +97,10 @@ close_room() {
 in_room() { enter_room network "" "$@"; }
 # in_room_offline USER SCRIPT: likewise, but no network is there.
 in_room_offline() { enter_room offline "" "$@"; }
-# in_room_full FOLDER USER SCRIPT: likewise, with little space left on the disk of that folder.
+# in_room_full FOLDERS USER SCRIPT: likewise, with little space left on the disks of these folders.
 in_room_full() { enter_room network "$@"; }
 
-enter_room() { # network|offline FOLDER USER SCRIPT
+enter_room() { # network|offline FOLDERS USER SCRIPT
   local full=$2 user=$3 script=$4 home=/root spec=0:0 more=()
   [[ $1 != offline ]] || more=(--net)
   [[ $user == root ]] || home=$newcomer spec=1000:1000
@@ -123,10 +123,10 @@ enter_room() { # network|offline FOLDER USER SCRIPT
       mkdir -p "$room/dev/pts"
       mount -t devpts -o newinstance,ptmxmode=0666,mode=0620 devpts "$room/dev/pts"
       ln -sfn pts/ptmx "$room/dev/ptmx"
-      if [[ -n $full ]]; then
-        mkdir -p "$room$full"
-        mount -t tmpfs -o size=8m,mode=1777 full "$room$full"
-      fi
+      for folder in $full; do
+        mkdir -p "$room$folder"
+        mount -t tmpfs -o size=8m,mode=1777 full "$room$folder"
+      done
       exec chroot --userspec="$spec" "$room" env -i "$@" bash -euo pipefail -c "cd $home; $script"
     ' bash "$room" "$spec" "$home" "$script" "$full" "${environment[@]}"
 }
