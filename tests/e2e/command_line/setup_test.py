@@ -224,7 +224,7 @@ class TestsRun(SmallTree):
                     self.assertEqual(self.refusal(*words), f"loomlight: {option} takes a name")
 
     def test_a_word_that_is_no_option(self):
-        for words in (("volume",), ("-R", "volume", "threads")):
+        for words in (("volume",), ("-R", "volume", "threads"), ("--schedule-random", "volume")):
             with self.subTest(words=words):
                 self.assertIn(f'"{words[-1]}" is no option', self.refusal(*words))
 
