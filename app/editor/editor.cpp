@@ -80,10 +80,10 @@ class Frames {
   }
 
  private:
-  /// `sleepsThen`: it is the last frame before the window sleeps. Returns after how many seconds the next frame is
-  /// wanted without any event.
+  /// `lastOfEvent`: the window sleeps after this frame, unless it wants to be drawn again at once. Returns after how
+  /// many seconds the next frame is wanted without any event.
   template <class Shown>
-  double draw(Shown& shown, bool sleepsThen) {
+  double draw(Shown& shown, bool lastOfEvent) {
     const Theme theme = shown.settings().darkTheme ? Theme::dark() : Theme::light();
     window_.setTheme(theme);
     window_.setInterfaceSize(shown.settings().interfaceSize);
@@ -93,12 +93,12 @@ class Frames {
     probe_.beginFrame();
     probe_.fact("inputs", std::to_string(window_.inputCount()));
     probe_.fact("drawn_frames", std::to_string(window_.drawnCount()));
-    probe_.fact("sleeps_then", sleepsThen ? "yes" : "no");
     Ui ui{theme, window_.fonts(), probe_, memory_, window_.scale(), seconds()};
     ui.pixels_per_mm = window_.pixels_per_mm();
     const double before_s = threadSeconds();
     shown.frame(ui);
     watch_.count(threadSeconds() - before_s, probe_);
+    probe_.fact("sleeps_then", lastOfEvent && ui.wakeIn > 0 ? "yes" : "no");
     waitsForDisplay_ = window_.endFrame(theme, driver_.changes());
     window_.setTitle(shown.title());
     return ui.wakeIn;
