@@ -10,6 +10,7 @@
 #include "app/cli/usage_error.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/text_encoding.h"
 
 namespace loomlight {
 namespace {
@@ -85,7 +86,10 @@ std::string nameInSeries(const std::string& pattern, const std::string& input, s
 }
 
 std::vector<std::string> namesInList(const std::string& file) {
-  std::istringstream lines(readFile(file, kMostListBytes));
+  const std::string bytes = readFile(file, kMostListBytes);
+  const DecodedText decoded = decodeText(bytes, file);
+  // Names of files are bytes of any kind; but what a list is marked to be, its names are not.
+  std::istringstream lines(decoded.encoding == TextEncoding::windows1252 ? bytes : decoded.text);
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::vector<std::string> names;
   for (std::string line; std::getline(lines, line);) {

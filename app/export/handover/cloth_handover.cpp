@@ -37,6 +37,15 @@ class FolderToFill {
   bool made_ = false;
 };
 
+/// All files are put in their places after minutes of tracing: what is in their way is better said before. Throws
+/// InputError.
+void expectRoomFor(const std::string& name, const std::filesystem::path& folder) {
+  for (const std::string& file : handoverFiles(name)) {
+    const std::filesystem::path path = folder / file;
+    if (std::filesystem::exists(path.parent_path())) expectWritable(path.string());
+  }
+}
+
 }  // namespace
 
 std::string handoverSidecar(const Fabric& fabric, const std::string& folder) {
@@ -62,11 +71,12 @@ std::optional<HandoverReport> handOver(const HandoverPart& part, const DigitalCl
                                        const Task& task) {
   constexpr double kMade = 0.95;  // of the progress: the rest is writing
   const FolderToFill folder(part.folder);
-  expectWritable(handoverSidecar(part.fabric, part.folder));
+  const std::string name = portableFileName(part.fabric.name);
+  expectRoomFor(name, part.folder);
   const auto cloth = makeDigitalCloth(part.fabric, order, limit_bytes, partOf(task, 0, kMade));
   if (!cloth) return std::nullopt;
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  auto report = writeHandover(part.folder, portableFileName(part.fabric.name), *cloth, now, task);
+  auto report = writeHandover(part.folder, name, *cloth, now, task);
   if (report) task.report(1);
   return report;
 }

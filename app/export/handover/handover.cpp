@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "app/export/file_set.h"
 #include "app/export/handover/cloth_facts.h"
@@ -66,7 +66,24 @@ std::string sidecar(const DigitalCloth& cloth, const SideTextures& front, const 
   return jsonText(json, 2) + "\n";
 }
 
+/// What the files beside the textures are called after the name.
+constexpr std::array kEndings = {".u3m",  ".u3ma",      ".glb",  "_back.glb",
+                                 ".mtlx", "_back.mtlx", ".jfab", ".handover.json"};
+
+std::vector<std::string> textureFiles(const SideTextures& front, const SideTextures& back) {
+  std::vector<std::string> files = front.files();
+  for (const std::string& file : back.files()) files.push_back(file);
+  return files;
+}
+
 }  // namespace
+
+std::vector<std::string> handoverFiles(const std::string& name) {
+  std::vector<std::string> files =
+      textureFiles(namesOfTextures(name, ClothSide::front), namesOfTextures(name, ClothSide::back));
+  for (const char* ending : kEndings) files.push_back(name + ending);
+  return files;
+}
 
 std::optional<HandoverReport> writeHandover(const std::string& folder, const std::string& name,
                                             const DigitalCloth& cloth, std::chrono::sys_seconds now, const Task& task) {
@@ -75,32 +92,29 @@ std::optional<HandoverReport> writeHandover(const std::string& folder, const std
   const SideTextures back = writeTextures(set, name, cloth, ClothSide::back, task);
   if (task.stopped()) return std::nullopt;
 
-  HandoverReport report;
   const std::string u3m = u3mText(cloth, front, back, now), scratch = set.pathOf("scratch.png");
-  for (const SideTextures* side : {&front, &back})
-    for (const std::string& file : side->files()) report.files.push_back(file);
   const auto archive = [&] {
     std::vector<ArchivedFile> packed{{name + ".u3m", u3m}};
-    for (const std::string& file : report.files)
-      if (file.ends_with(".png"))
-        packed.push_back({file, readFile(set.pathOf(file), std::numeric_limits<size_t>::max())});
+    for (const std::string& file : textureFiles(front, back))
+      packed.push_back({file, readFile(set.pathOf(file), std::numeric_limits<size_t>::max())});
     return restrictedZip(packed, now);
   };
-  const std::pair<std::string, std::function<std::string()>> others[] = {
-      {name + ".u3m", [&] { return std::string(u3m); }},
-      {name + ".u3ma", archive},
-      {name + ".glb", [&] { return glbBytes(cloth, ClothSide::front, scratch); }},
-      {name + "_back.glb", [&] { return glbBytes(cloth, ClothSide::back, scratch); }},
-      {name + ".mtlx", [&] { return materialXText(cloth, ClothSide::front, front); }},
-      {name + "_back.mtlx", [&] { return materialXText(cloth, ClothSide::back, back); }},
-      {name + ".jfab", [&] { return jfabText(cloth, front); }},
-      {name + ".handover.json", [&] { return sidecar(cloth, front, back); }}};
-  for (const auto& [file, content] : others) {
-    writeFileAtomically(set.add(file), content());
-    report.files.push_back(file);
+  const std::array<std::function<std::string()>, kEndings.size()> contents = {
+      [&] { return std::string(u3m); },
+      archive,
+      [&] { return glbBytes(cloth, ClothSide::front, scratch); },
+      [&] { return glbBytes(cloth, ClothSide::back, scratch); },
+      [&] { return materialXText(cloth, ClothSide::front, front); },
+      [&] { return materialXText(cloth, ClothSide::back, back); },
+      [&] { return jfabText(cloth, front); },
+      [&] { return sidecar(cloth, front, back); }};
+  for (size_t i = 0; i < kEndings.size(); ++i) {
+    writeFileAtomically(set.add(name + kEndings[i]), contents[i]());
     if (task.stopped()) return std::nullopt;
   }
   set.place();
+  HandoverReport report;
+  report.files = handoverFiles(name);
   const FitError &onto = cloth.front.fit.reflected, &ontoBack = cloth.back.fit.reflected;
   report.lines = {fitLine("front", cloth.front.fit), fitLine("back", cloth.back.fit),
                   name + ".jfab: experimental, nobody has tried it in CLO yet"};

@@ -16,6 +16,9 @@ struct HandoverReport {
   double front_percent = 0, back_percent = 0;
 };
 
+/// The files that a hand-over of this name writes, within its folder.
+std::vector<std::string> handoverFiles(const std::string& name);
+
 /// Writes a cloth in the formats of other programs into a folder, which is there:
 /// - textures/NAME_BASE.png and its like, and those of the back as textures/NAME_back_BASE.png, for drag and drop;
 /// - NAME.u3m, which refers to them, and NAME.u3ma, which holds both;

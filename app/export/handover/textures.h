@@ -31,6 +31,9 @@ struct SideTextures {
   }
 };
 
+/// The names that they will have, without anything of what is in them.
+SideTextures namesOfTextures(const std::string& name, ClothSide side);
+
 /// Adds them to `set`, in a folder "textures". All have three channels, as U3M asks for, and the size of the tile as
 /// dots per inch. When stopped, some of them are not there. Throws InputError.
 SideTextures writeTextures(FileSet& set, const std::string& name, const DigitalCloth& cloth, ClothSide side,

@@ -64,5 +64,16 @@ TEST(PictureSeries, AListNamesFilesFromItsFolder) {
               ElementsAre(folder.file("b/denim.json"), "/c/twill.wif", folder.file("./#4 twill.json")));
 }
 
+// Editors of Windows put a mark before UTF-8, or write UTF-16; names of files elsewhere may be of no encoding at all.
+TEST(PictureSeries, AListMayBeMarkedAsUnicodeAndItsNamesBeAnyBytes) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.file("marked.txt")) << "\xEF\xBB\xBF/twill.json\r\n/na\xC3\xAFve.json\r\n";
+  EXPECT_THAT(namesInList(folder.file("marked.txt")), ElementsAre("/twill.json", "/na\xC3\xAFve.json"));
+  std::ofstream(folder.file("wide.txt")) << std::string("\xFF\xFE/\0a\0\n\0", 8);
+  EXPECT_THAT(namesInList(folder.file("wide.txt")), ElementsAre("/a"));
+  std::ofstream(folder.file("bytes.txt")) << "/na\xEFve.json\n";
+  EXPECT_THAT(namesInList(folder.file("bytes.txt")), ElementsAre("/na\xEFve.json"));
+}
+
 }  // namespace
 }  // namespace loomlight

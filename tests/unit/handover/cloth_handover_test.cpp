@@ -59,10 +59,13 @@ TEST(ClothHandover, WhatCannotBeWrittenIsSaidBeforeAnyWork) {
   const test::ScratchFolder folder;
   std::ofstream(folder.file("file")) << "in the way";
   std::filesystem::create_directories(folder.file("taken/Check.handover.json"));
+  std::filesystem::create_directories(folder.file("taken texture/textures/Check_back_BASE.png"));
+  std::filesystem::create_directories(folder.file("no folder"));
+  std::ofstream(folder.file("no folder/textures")) << "in the way of a folder";
   bool worked = false;
   Task task;
   task.progress = [&worked](double) { worked = true; };
-  for (const char* in : {"file", "file/under", "taken"})
+  for (const char* in : {"file", "file/under", "taken", "taken texture", "no folder"})
     EXPECT_THROW(handOver({fewSamples(), folder.file(in)}, few(), 1e9, task), InputError) << in;
   EXPECT_FALSE(worked);
 }
