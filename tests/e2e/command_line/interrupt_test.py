@@ -55,6 +55,17 @@ class Interrupt(CommandLineTest):
         self.run_program("render", self.fabric(), "-o", "whole.exr", "--size", size, "--spp", samples)
         self.assertEqual(self.bytes_of("out.exr"), self.bytes_of("whole.exr"))
 
+    def test_a_part_of_a_farm_that_cannot_be_gone_on_with_is_begun_anew(self):
+        """As it is on another kind of processor, and elsewhere never again the machine that began it."""
+        parts = self.folder / "out.exr.parts"
+        parts.mkdir()
+        (parts / "kept.0.exr").write_text("of another machine")
+        words = [ROOT / "samples/farm/part", 0, 1, 1, self.fabric(), "out.exr", "32x24", 2]
+        ran = subprocess.run(list(map(str, words)), cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
+                             env={**os.environ, "LOOMLIGHT": LOOMLIGHT}, timeout=HANGS_S, text=True)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertEqual([file.name for file in parts.iterdir()], ["part.0.exr"], ran.stderr)
+
     def test_jobs_of_slurm_take_names_of_every_kind(self):
         tools = self.folder / "tools"
         tools.mkdir()
