@@ -22,6 +22,7 @@ Json errorJson(const FitError& error) {
 Json sideJson(const DigitalSide& side, const SideTextures& textures) {
   const SurfaceFit& fit = side.fit;
   const DisneySheen sheen = disneySheen(fit.surface);
+  const DisneySpecular specular = disneySpecular(fit.surface);
   return {
       {"surface",
        {{"model",
@@ -42,6 +43,11 @@ Json sideJson(const DigitalSide& side, const SideTextures& textures) {
         {"even_light_over_measured", colour(fit.evenLight)},
         {"even_light_over_measured_from_afar", colour(fit.evenLightFromAfar)},
         {"tile_over_measured", colour(side.tileOverMeasured)}}},
+      {"u3m_specular",
+       {{"model", "Disney 2012: Schlick from 0.08 value to 1"},
+        {"value", specular.value},
+        {"rms_error_of_albedo", specular.rmsError}}},
+      {"materialx_specular_weight", openPbrSpecular(fit.surface)},
       {"u3m_sheen",
        {{"model", "Disney 2012, white: value (1 - cos)^5"},
         {"value", sheen.value},

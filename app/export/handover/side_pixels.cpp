@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/export/handover/surface_samples.h"
 
@@ -22,6 +23,34 @@ float disneySheenAlbedo(float cosine) {
       sum += std::pow(1 - glm::dot(in, glm::normalize(in + out)), 5.0f);
     }
   return kPiF * sum / (kSquares * kAzimuths);
+}
+
+/// Albedo of a gloss in a view, in two parts: of Fresnel's 1, and of its (1 - cos)^5.
+struct GlossAlbedo {
+  float even = 0, grazing = 0;
+};
+
+/// At this cosine with the normal, with slopes that are alike every way.
+GlossAlbedo glossAlbedo(float alpha, float cosine) {
+  constexpr int kPlaces = 24, kAzimuths = 24;
+  const glm::vec3 out(std::sqrt(1 - cosine * cosine), 0, cosine);
+  const auto reach = [alpha](float z) { return std::sqrt(alpha * alpha * (1 - z * z) + z * z); };
+  GlossAlbedo sum;
+  for (int i = 0; i < kPlaces; ++i)
+    for (int j = 0; j < kAzimuths; ++j) {
+      // Normals as dense as the area that GGX's cover; the other half of the azimuths is a mirror image.
+      const float place = (static_cast<float>(i) + 0.5f) / kPlaces, slope = alpha * std::sqrt(place / (1 - place));
+      const float azimuth = kPiF * (static_cast<float>(j) + 0.5f) / kAzimuths;
+      const glm::vec3 half = glm::normalize(glm::vec3(slope * std::cos(azimuth), slope * std::sin(azimuth), 1));
+      const float across = glm::dot(half, out);
+      const float in = 2 * across * half.z - cosine;
+      if (across <= 0 || in <= 0) continue;
+      const float seen = 2 * in * across / (half.z * (in * reach(cosine) + cosine * reach(in)));
+      sum.even += seen;
+      sum.grazing += seen * std::pow(1 - across, 5.0f);
+    }
+  constexpr auto kCount = static_cast<float>(kPlaces * kAzimuths);
+  return {sum.even / kCount, sum.grazing / kCount};
 }
 
 }  // namespace
@@ -57,6 +86,32 @@ DisneyGloss openPbrGloss(float roughness, float anisotropy) {
   const glm::vec2 slopes = ggxSlopes({roughness, anisotropy});
   const float ratio = slopes.y / slopes.x;
   return {std::sqrt(slopes.x * std::sqrt((1 + ratio * ratio) / 2)), 1 - ratio};
+}
+
+DisneySpecular disneySpecular(const Principled& surface) {
+  constexpr int kViews = 32;  // of equal projected solid angle
+  constexpr float kGlass = 0.04f, kMost = 0.08f;
+  const glm::vec2 slopes = ggxSlopes({surface.roughness, surface.anisotropy});
+  const float alpha = std::sqrt(slopes.x * slopes.y);
+  // Albedos are linear in the reflectance at the normal: grazing + reflectance (even - grazing). What is looked for is
+  // the reflectance whose albedos have the least squares from those that are wanted.
+  std::vector<glm::vec2> lines;  // `even - grazing`, and what is wanted less `grazing`
+  float products = 0, squares = 0;
+  for (int i = 0; i < kViews; ++i) {
+    const GlossAlbedo albedo = glossAlbedo(alpha, std::sqrt((static_cast<float>(i) + 0.5f) / kViews));
+    const float wanted = surface.specular * (kGlass * albedo.even + (1 - kGlass) * albedo.grazing);
+    const glm::vec2& line = lines.emplace_back(albedo.even - albedo.grazing, wanted - albedo.grazing);
+    products += line.x * line.y;
+    squares += line.x * line.x;
+  }
+  const float reflectance = std::clamp(products / squares, 0.0f, kMost);
+  float errors = 0;
+  for (const glm::vec2& line : lines) errors += (reflectance * line.x - line.y) * (reflectance * line.x - line.y);
+  return {reflectance / kMost, std::sqrt(errors / kViews)};
+}
+
+float openPbrSpecular(const Principled& surface) {
+  return std::min(1.0f, 2 * disneySpecular(surface).value);
 }
 
 DisneySheen disneySheen(const Principled& surface) {

@@ -66,7 +66,7 @@ class Visualisation {
             {"roughness", scalar(means.roughness, textures_.roughness)},
             {"sheen_value", constant(disneySheen(surface).value)},
             {"sheen_tint", constant(0)},
-            {"specular_value", constant(0.5f * surface.specular)},  // of 0 to 8 %; glTF's 1 is 4 %
+            {"specular_value", constant(disneySpecular(surface).value)},
             {"specular_tint", constant(0)},
             {"subsurface_radius", constant(0)},
             {"subsurface_value", constant(0)},
