@@ -38,6 +38,7 @@ Json sideJson(const DigitalSide& side, const SideTextures& textures) {
         {"transmitted_weight", colour(fit.transmittedWeight)}}},
       {"fit",
        {{"reflected", errorJson(fit.reflected)},
+        {"reflected_if_matt", errorJson(fit.matt)},
         {"reflected_from_afar", errorJson(fit.fromAfar)},
         {"transmitted", errorJson(fit.transmitted)},
         {"even_light_over_measured", colour(fit.evenLight)},

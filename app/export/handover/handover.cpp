@@ -36,12 +36,11 @@ std::string fitLine(const char* side, const SurfaceFit& fit) {
   const auto mean = [](const Rgb& colour) { return (colour.r + colour.g + colour.b) / 3; };
   return fmt::format(
       "{}: roughness {:.2f}, specular {:.2f}, anisotropy {:.2f}, sheen {:.3f} with roughness {:.2f}; RMS over "
-      "directions {} of the mean {:.3f} ({} from afar), through it {} of {:.3f}; in even light {:.2f} of what was "
-      "measured "
-      "({:.2f} from afar)",
+      "directions {} of the mean {:.3f} ({} from afar; a matt surface {}), through it {} of {:.3f}; in even light "
+      "{:.2f} of what was measured ({:.2f} from afar)",
       side, fit.surface.roughness, fit.surface.specular, fit.surface.anisotropy,
       std::max({fit.surface.sheenColour.r, fit.surface.sheenColour.g, fit.surface.sheenColour.b}),
-      fit.surface.sheenRoughness, percent(fit.reflected), fit.reflected.mean, percent(fit.fromAfar),
+      fit.surface.sheenRoughness, percent(fit.reflected), fit.reflected.mean, percent(fit.fromAfar), percent(fit.matt),
       percent(fit.transmitted), fit.transmitted.mean, mean(fit.evenLight), mean(fit.evenLightFromAfar));
 }
 

@@ -74,12 +74,10 @@ std::vector<Unknown> unknownsFrom(const FitStart& start) {
   return unknowns;
 }
 
-/// The measured and the predicted, weighted as residuals are, of one fit.
-FitError errorOf(const SurfaceFit& fit, std::span<const SurfaceSample> samples, std::span<const Observation> seen) {
-  const SheenAlbedo sheen(fit.surface.sheenRoughness);
+/// Of what is predicted, weighted by the directions.
+FitError errorOf(std::span<const Rgb> predicted, std::span<const Observation> seen) {
   FitError error;
   double weights = 0;
-  const std::vector<Rgb> predicted = predictedFactors(fit, sheen, samples, seen);
   for (size_t i = 0; i < seen.size(); ++i) {
     const Observation& one = seen[i];
     const Rgb difference = predicted[i] - one.factor;
@@ -92,6 +90,9 @@ FitError errorOf(const SurfaceFit& fit, std::span<const SurfaceSample> samples, 
   error.rms = std::sqrt(std::max(0.0, error.rms - error.noise) / weights);
   error.noise = std::sqrt(error.noise / weights);
   return error;
+}
+FitError errorOf(const SurfaceFit& fit, std::span<const SurfaceSample> samples, std::span<const Observation> seen) {
+  return errorOf(predictedFactors(fit, SheenAlbedo(fit.surface.sheenRoughness), samples, seen), seen);
 }
 
 /// With the normals that the maps of this fit have.
@@ -275,6 +276,7 @@ SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Ob
   fit.transmitted = errorOf(fit, patches.near, transmitted);
   fit.fromAfar = errorOf(fit, patches.afar, reflected);
   const Rgb colour = meanColour(patches.near, &PrincipledPoint::reflected);
+  fit.matt = errorOf(std::vector<Rgb>(reflected.size(), colour), reflected);
   const auto shown = [&](const std::vector<SurfaceSample>& patch) {
     const EvenPatch even = evenlyReflected(fit.surface, sheen, patch);
     return even.gloss + fit.reflectedWeight * even.diffuse;

@@ -37,6 +37,7 @@ struct SurfaceFit {
   /// What the maps of reflected and transmitted light are multiplied by to be those of the diffuse parts.
   Rgb reflectedWeight{1}, transmittedWeight{1};
   FitError reflected, transmitted;
+  FitError matt;      ///< of reflected light, were the surface matt and as bright in even light: what a fit is to beat
   FitError fromAfar;  ///< of reflected light, where all pixels are seen as one: their mean normal and mean colour
   /// What the fit shows straight from above in even light over what was measured there, pixel by pixel and as one. The
   /// mean of the two is 1, or above where gloss alone is brighter than a dark cloth.

@@ -252,6 +252,22 @@ TEST(SurfaceFit, StatesTheErrorOfWhatItCannotFit) {
   EXPECT_GT(fit.reflected.rms, 0.3 * fit.reflected.mean);
 }
 
+/// What a fit is held against: one colour from everywhere, which is that of the maps.
+TEST(SurfaceFit, StatesTheErrorOfAMattSurfaceToo) {
+  const std::vector<SurfaceSample> samples = evenSamples();
+  const Rgb colour = samples.front().opacity * samples.front().point.reflected;
+  std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
+  for (Observation& one : reflected) one.factor = colour + (one.in.z < 0.9f ? Rgb(0.3f, 0, 0) : Rgb(0));
+  double off = 0, all = 0;
+  for (const Observation& one : reflected) {
+    off += one.in.z < 0.9f ? one.weight : 0;
+    all += one.weight;
+  }
+  const SurfaceFit fit = fitSurface(samples, reflected, transmitted, 0, std::span(kFitStarts).first(1));
+  ASSERT_GT(off, 0);
+  EXPECT_NEAR(fit.matt.rms, 0.3 * std::sqrt(off / all / 3), 1e-5);
+}
+
 /// Of samples without anisotropy.
 SurfaceSample meanOf(std::span<const SurfaceSample> samples) {
   SurfaceSample mean = samples.front();
