@@ -27,14 +27,13 @@ struct Case {
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight, &test::kFibres})
-    for (const DrapeKind drape :
-         {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds, DrapeKind::mesh})
+    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds,
+                                  DrapeKind::cushion, DrapeKind::skirt, DrapeKind::mesh})
       all.push_back({*medium, drape});
-  for (const MediumKind* medium :
-       {&test::kReport, &test::kCloseUp, &test::kLoomlightAtRandom, &test::kFibresAtRandom, &test::kFibresInBricks})
+  for (const MediumKind* medium : {&test::kReport, &test::kReportsLaw, &test::kCloseUp, &test::kLoomlightAtRandom,
+                                   &test::kFibresAtRandom, &test::kFibresInBricks})
     for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::mesh})
       all.push_back({*medium, drape});
-  all.push_back({test::kReportsLaw, DrapeKind::flat});
   all.push_back({test::kFibresOfOneRepeat, DrapeKind::flat});
   return all;
 }
