@@ -146,8 +146,10 @@ class ClearBench {
     Row row = about;
     row.push_back(course.points.empty() ? "-" : secondsText(course.points.front().since_s));
     row.push_back(fmt::format("{:.3f}", course.first()));
-    for (const double time_s : kTimes_s)
-      row.push_back(time_s <= extent_.seconds ? fmt::format("{:.3f}", course.at(time_s)) : "-");
+    for (const double time_s : kTimes_s) {
+      const bool isShown = !course.points.empty() && course.points.front().since_s <= time_s;
+      row.push_back(isShown && time_s <= extent_.seconds ? fmt::format("{:.3f}", course.at(time_s)) : "-");
+    }
     for (const double flip : kClear) row.push_back(secondsText(course.timeTo(flip)));
     row.push_back(fmt::format("{:.2f}", course.worstStepBack()));
     row.push_back(course.points.empty() ? "0" : std::to_string(course.points.back().samples));
