@@ -210,7 +210,7 @@ bool Refinement::showDetail(const Task& task) {
 
 /// The picture before, if it is needed and there is one; then it is let go.
 std::optional<MovedView> Refinement::moved(int threads) {
-  const std::optional<SeenBefore> before = std::exchange(seenBefore_, std::nullopt);
+  const auto before = std::exchange(seenBefore_, std::nullopt);
   if (!before || history_.divider == 1) return std::nullopt;
   const CameraRays from(before->camera, fine_.width(), fine_.height());
   const CameraRays to(scene().fabric->camera, fine_.width(), fine_.height());
@@ -268,7 +268,7 @@ void Refinement::endPass() {
     if (records_ && records_->bytes() > 0) coarseRecords_.reset();
     if (!fading()) standIn_.reset();
   } else {
-    if (standIn_ && standIn_->isMoved()) return;
+    if (standIn_ && standIn_->outlastsCoarse()) return;
     Frame coarse = traced(coarse_.back().film, plan.divider);
     finish(coarse);
     coarse.quality = PreviewQuality::coarse;  // each of its own pixels has a sample: nothing is left of a sketch
@@ -345,16 +345,25 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 Frame Refinement::frame() const {
   const bool shared = sharesLight();
   if (known_ && !shared) return inKnownLight();
-  const bool isWhole = shared || showsMoved() || fineBegun_ || history_.divider == 1 || coarse_.empty();
+  const bool isDetailed = shared || (standIn_ && standIn_->outlastsCoarse());
+  const bool isWhole = isDetailed || fineBegun_ || history_.divider == 1 || coarse_.empty();
   Frame frame = isWhole ? traced(fine_, 1) : traced(coarse_.back().film, coarse_.back().divider);
   if (shared) share(frame);
   finish(frame);
   return frame;
 }
 
-/// A moved picture that was young itself gives way to light that is shared.
+/// A moved picture that was young itself gives way to the first sample of each pixel: it says more than light that is
+/// shared does of few first fibres, and less than that light does of paths of this view.
 bool Refinement::showsMoved() const {
-  return standIn_ && standIn_->isMoved() && (standIn_->samples() >= kClearSamples || !sharesLight());
+  return standIn_ && standIn_->isMoved() && (!standIn_->isYoungView() || !sharesLight() || history_.samples == 0);
+}
+
+/// How much of a pixel what stands in still is, where light is shared.
+float Refinement::standInShare(int x, int y) const {
+  if (!standIn_->isFineAt(x, y)) return 0;
+  if (!standIn_->isYoungView()) return standIn_->shareAt(x, y, fine_.samples(x, y));
+  return pass_ && pass_->plan.divider == 1 ? 1 - pass_->buckets.shown(x, y) : 1;
 }
 
 bool Refinement::hasDetail() const {
@@ -373,13 +382,11 @@ void Refinement::share(Frame& frame) const {
   if (history_.samples > 0) coarser = {};  // every pixel has samples of its own
   frame.helped = shared_->picture(fine_, coarser, threads_);
   if (!standIn_ || (standIn_->isMoved() && !showsMoved())) return;
+  size_t i = 0;
   for (int y = 0; y < fine_.height(); ++y)
-    for (int x = 0; x < fine_.width(); ++x) {
-      glm::vec4& own =
-          frame.helped[static_cast<size_t>(y) * static_cast<size_t>(fine_.width()) + static_cast<size_t>(x)];
-      const float share = standIn_->isFineAt(x, y) ? standIn_->shareAt(x, y, fine_.samples(x, y)) : 0;
-      if (share > 0) own = glm::mix(own, standIn_->helped(x, y, 1), share);
-    }
+    for (int x = 0; x < fine_.width(); ++x, ++i)
+      if (const float share = standInShare(x, y); share > 0)
+        frame.helped[i] = glm::mix(frame.helped[i], standIn_->helped(x, y, 1), share);
 }
 
 Frame Refinement::recoloured(const Recolouring& recolouring, int threads, double& variance) const {

@@ -139,6 +139,7 @@ class Refinement {
   std::optional<MovedView> moved(int threads);
   void showMoved(MovedView view);
   bool showsMoved() const;
+  float standInShare(int x, int y) const;
   Frame traced(const Film& film, int divider) const;
   glm::vec4 faded(const glm::vec4& own, int x, int y, const LightChange& change) const;
   void finish(Frame& frame) const;

@@ -26,6 +26,9 @@ class StandIn {
   float shareAt(int x, int y, uint32_t samples) const;
   bool isFineAt(int x, int y) const;
   bool isMoved() const { return !kept_.empty(); }
+  /// Whether it says more than coarse passes do: it has its detail from another view, or from light that is known.
+  bool outlastsCoarse() const { return isMoved() || earlier_->shared; }
+  bool isYoungView() const { return isMoved() && samples_ < kClearSamples; }  ///< a moved picture that was not clear
   /// More would let it linger.
   static constexpr int kMostSamples = 4 * kClearSamples;
   /// Of every pixel, after which nothing of it is left; kMostSamples at most.

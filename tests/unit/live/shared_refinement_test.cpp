@@ -263,8 +263,9 @@ TEST_F(SharedRefinement, BelievesCoarsePassesUntilTheFirstFineOne) {
   EXPECT_NEAR(luminance(meanOf(after.frame())) / luminance(dim), kBrighter, 0.2 * kBrighter);
 }
 
-// A clear picture says more of another view than cells do, and a young one less.
-TEST_F(SharedRefinement, AMovedViewThatWasYoungGivesWayToSharedLight) {
+// A clear picture says more of another view than cells do; a young one less than they do of paths of this view, but
+// more than of few first fibres.
+TEST_F(SharedRefinement, AMovedViewThatWasYoungGivesWayToTheFirstSamples) {
   Fabric turned = *cloth.scene->fabric;
   turned.camera.azimuth_deg += 5;
   const Traceable moved{makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()), cloth.medium};
@@ -276,8 +277,9 @@ TEST_F(SharedRefinement, AMovedViewThatWasYoungGivesWayToSharedLight) {
     after.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, turned));
     after.beginWith({12, 0.1, 3});
     ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
-    EXPECT_FALSE(after.frame().shared);
-    EXPECT_EQ(after.frame().divider, 1);
+    const Frame first = after.frame();
+    EXPECT_FALSE(first.shared);
+    EXPECT_EQ(first.divider, 1);
     EXPECT_FALSE(after.hasDetail());
     after.denoise(true);
     const Frame quiet = after.frame();
@@ -286,13 +288,46 @@ TEST_F(SharedRefinement, AMovedViewThatWasYoungGivesWayToSharedLight) {
     after.denoise(false);
     while (!after.frame().shared) ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
     EXPECT_EQ(after.samples(), 0u);
-    EXPECT_EQ(after.hasDetail(), samples == 1);
+    EXPECT_FALSE(after.hasDetail());
+    const Frame shared = after.frame();
+    size_t same = 0;
+    for (size_t i = 0; i < first.plain().size(); ++i) same += shared.plain()[i] == first.plain()[i];
+    EXPECT_GT(same, first.plain().size() / 2) << "where it has seen what is seen now";
+    EXPECT_LT(same, first.plain().size());
     // Coarse passes bring light to cells, and are not seen.
     while (after.divider() > 1) {
       ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
       EXPECT_EQ(after.frame().divider, 1);
     }
+    refine(after, 1);
+    EXPECT_EQ(after.hasDetail(), samples == 1);
   }
+}
+
+// A coarse pass of the cloth itself would be seen for a moment, between a sketch of it and light that is shared.
+TEST_F(SharedRefinement, ASketchInKnownLightIsSeenUntilLightIsShared) {
+  constexpr int kTall = 3 * kHeight;
+  const Traceable moved = turnedSlowly();
+  Refinement before(cloth, kWidth, kTall, {.secondsPerPath = kSlow_s});
+  before.shareLight(nullptr, {});
+  refine(before, 1);
+  Refinement sketch(moved, kWidth, kTall, {.secondsPerPath = kSlow_s, .isSketch = true});
+  sketch.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, *moved.scene->fabric));
+  sketch.beginWith({12, 0.1, 3});
+  while (!sketch.converged()) ASSERT_TRUE(sketch.advance(Task{{}, {}, 1}));
+  ASSERT_TRUE(sketch.showsKnownLight());
+  Refinement after(moved, kWidth, kTall, {.secondsPerPath = kSlow_s});
+  after.shareLight(sketch.takeSharedLight(), {});
+  after.standIn(std::make_shared<const Frame>(sketch.frame()));
+  after.skipCoarse(sketch.divider());
+  const Frame first = after.frame();
+  int coarse = 0;
+  for (; !after.frame().shared; ++coarse) {
+    EXPECT_TRUE(std::ranges::equal(after.frame().plain(), first.plain()));
+    ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+  }
+  EXPECT_GT(coarse, 1) << after.divider();
+  EXPECT_EQ(after.samples(), 0u);
 }
 
 TEST_F(SharedRefinement, ServesVolumesOnEveryDrape) {
