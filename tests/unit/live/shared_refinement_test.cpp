@@ -311,7 +311,7 @@ TEST_F(SharedRefinement, ASketchInKnownLightIsSeenUntilLightIsShared) {
   Refinement before(cloth, kWidth, kTall, {.secondsPerPath = kSlow_s});
   before.shareLight(nullptr, {});
   refine(before, 1);
-  Refinement sketch(moved, kWidth, kTall, {.secondsPerPath = kSlow_s, .isSketch = true});
+  Refinement sketch(moved, kWidth, kTall, {.secondsPerPath = 10 * kSlow_s, .isSketch = true});
   sketch.shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, *moved.scene->fabric));
   sketch.beginWith({12, 0.1, 3});
   while (!sketch.converged()) ASSERT_TRUE(sketch.advance(Task{{}, {}, 1}));
