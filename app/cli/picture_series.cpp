@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 
 #include "app/cli/option_values.h"
 #include "app/cli/usage_error.h"
@@ -86,10 +87,14 @@ std::string nameInSeries(const std::string& pattern, const std::string& input, s
 }
 
 std::vector<std::string> namesInList(const std::string& file) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
   const std::string bytes = readFile(file, kMostListBytes);
   const DecodedText decoded = decodeText(bytes, file);
-  // Names of files are bytes of any kind; but what a list is marked to be, its names are not.
-  std::istringstream lines(decoded.encoding == TextEncoding::windows1252 ? bytes : decoded.text);
+  // Names of files may be of no encoding, and are taken as they are; but UTF-16 has to be decoded, and a mark before
+  // UTF-8 is no part of the first name.
+  const bool isMarked = bytes.starts_with(kMark);
+  std::istringstream lines(decoded.encoding == TextEncoding::utf16 ? decoded.text
+                                                                   : bytes.substr(isMarked ? kMark.size() : 0));
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::vector<std::string> names;
   for (std::string line; std::getline(lines, line);) {

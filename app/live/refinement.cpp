@@ -268,7 +268,7 @@ void Refinement::endPass() {
     if (records_ && records_->bytes() > 0) coarseRecords_.reset();
     if (!fading()) standIn_.reset();
   } else {
-    if (standIn_ && standIn_->outlastsCoarse()) return;
+    if (standIn_ && standIn_->outlastsCoarse() && (standIn_->isMoved() || !sharesLight())) return;
     Frame coarse = traced(coarse_.back().film, plan.divider);
     finish(coarse);
     coarse.quality = PreviewQuality::coarse;  // each of its own pixels has a sample: nothing is left of a sketch
@@ -345,10 +345,11 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 Frame Refinement::frame() const {
   const bool shared = sharesLight();
   if (known_ && !shared) return inKnownLight();
-  const bool isDetailed = shared || (standIn_ && standIn_->outlastsCoarse());
-  const bool isWhole = isDetailed || fineBegun_ || history_.divider == 1 || coarse_.empty();
+  const bool keepsDetail = standIn_ && standIn_->outlastsCoarse();
+  const bool isWhole = shared || keepsDetail || fineBegun_ || history_.divider == 1 || coarse_.empty();
   Frame frame = isWhole ? traced(fine_, 1) : traced(coarse_.back().film, coarse_.back().divider);
   if (shared) share(frame);
+  if (keepsDetail && !fineBegun_) frame.shared |= standIn_->frame().shared;
   finish(frame);
   return frame;
 }

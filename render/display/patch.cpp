@@ -125,6 +125,7 @@ Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave&
   whole.samples = fresh.samples;
   whole.seconds = fresh.seconds;
   whole.quality = std::min(fresh.quality, old.quality);
+  whole.shared = fresh.shared;
   const bool denoised = !fresh.denoised.empty() && !old.denoised.empty();
   if (!denoised) whole.denoised.clear();
   const bool helped = !fresh.helped.empty() || !old.helped.empty();

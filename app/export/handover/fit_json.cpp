@@ -22,7 +22,7 @@ Json errorJson(const FitError& error) {
 Json sideJson(const DigitalSide& side, const SideTextures& textures) {
   const SurfaceFit& fit = side.fit;
   const DisneySheen sheen = disneySheen(fit.surface);
-  const DisneySpecular specular = disneySpecular(fit.surface);
+  const GlossStrength disney = disneySpecular(fit.surface), openPbr = openPbrSpecular(fit.surface);
   return {
       {"surface",
        {{"model",
@@ -46,9 +46,12 @@ Json sideJson(const DigitalSide& side, const SideTextures& textures) {
         {"tile_over_measured", colour(side.tileOverMeasured)}}},
       {"u3m_specular",
        {{"model", "Disney 2012: Schlick from 0.08 value to 1"},
-        {"value", specular.value},
-        {"rms_error_of_albedo", specular.rmsError}}},
-      {"materialx_specular_weight", openPbrSpecular(fit.surface)},
+        {"value", disney.value},
+        {"rms_error_of_albedo", disney.rmsError}}},
+      {"materialx_specular",
+       {{"model", "OpenPBR: Fresnel of a body that reflects 0.04 value at the normal"},
+        {"value", openPbr.value},
+        {"rms_error_of_albedo", openPbr.rmsError}}},
       {"u3m_sheen",
        {{"model", "Disney 2012, white: value (1 - cos)^5"},
         {"value", sheen.value},

@@ -161,10 +161,10 @@ std::string materialXText(const DigitalCloth& cloth, ClothSide which, const Side
                       arg("rotation", textures.anisotropyRotation), arg("normal", textures.normal),
                       arg("range_m", 1e-3f * (textures.highest_mm - textures.lowest_mm)),
                       arg("lowest_m", 1e-3f * textures.lowest_mm));
-  text +=
-      fmt::format(fmt::runtime(kSurface), arg("specular", openPbrSpecular(surface)), arg("roughness", gloss.roughness),
-                  arg("anisotropy", gloss.anisotropy), arg("fuzz", fuzz), arg("red", colour.r), arg("green", colour.g),
-                  arg("blue", colour.b), arg("fuzz_roughness", surface.sheenRoughness));
+  text += fmt::format(fmt::runtime(kSurface), arg("specular", openPbrSpecular(surface).value),
+                      arg("roughness", gloss.roughness), arg("anisotropy", gloss.anisotropy), arg("fuzz", fuzz),
+                      arg("red", colour.r), arg("green", colour.g), arg("blue", colour.b),
+                      arg("fuzz_roughness", surface.sheenRoughness));
   return text + "</materialx>\n";
 }
 

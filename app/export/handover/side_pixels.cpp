@@ -25,32 +25,85 @@ float disneySheenAlbedo(float cosine) {
   return kPiF * sum / (kSquares * kAzimuths);
 }
 
-/// Albedo of a gloss in a view, in two parts: of Fresnel's 1, and of its (1 - cos)^5.
-struct GlossAlbedo {
-  float even = 0, grazing = 0;
+constexpr int kViews = 32;  // of equal projected solid angle
+constexpr float kGlass = 0.04f;
+
+/// Fresnel's of glass after Schlick, by the cosine with the half vector.
+float schlick(float reflectance, float cosine) {
+  return reflectance + (1 - reflectance) * std::pow(1 - cosine, 5.0f);
+}
+
+/// Fresnel's equations for a body that reflects so much at the normal.
+float dielectric(float reflectance, float cosine) {
+  const float root = std::sqrt(reflectance), index = (1 + root) / (1 - root);
+  const float inside = std::sqrt(1 - (1 - cosine * cosine) / (index * index));
+  const float across = (cosine - index * inside) / (cosine + index * inside);
+  const float along = (index * cosine - inside) / (index * cosine + inside);
+  return 0.5f * (across * across + along * along);
+}
+
+/// A gloss as it is seen in a view: its normals that send light there, and how much each counts for in the albedo.
+struct GlossView {
+  std::vector<glm::vec2> normals;  ///< cosine of the view with the normal, weight
+  template <class Fresnel>
+  float albedo(const Fresnel& fresnel) const {
+    float sum = 0;
+    for (const glm::vec2& normal : normals) sum += normal.y * fresnel(normal.x);
+    return sum;
+  }
 };
 
-/// At this cosine with the normal, with slopes that are alike every way.
-GlossAlbedo glossAlbedo(float alpha, float cosine) {
+/// At this cosine of the view with the surface, with slopes that are alike every way.
+GlossView glossView(float alpha, float cosine) {
   constexpr int kPlaces = 24, kAzimuths = 24;
   const glm::vec3 out(std::sqrt(1 - cosine * cosine), 0, cosine);
   const auto reach = [alpha](float z) { return std::sqrt(alpha * alpha * (1 - z * z) + z * z); };
-  GlossAlbedo sum;
+  GlossView view;
   for (int i = 0; i < kPlaces; ++i)
     for (int j = 0; j < kAzimuths; ++j) {
       // Normals as dense as the area that GGX's cover; the other half of the azimuths is a mirror image.
       const float place = (static_cast<float>(i) + 0.5f) / kPlaces, slope = alpha * std::sqrt(place / (1 - place));
       const float azimuth = kPiF * (static_cast<float>(j) + 0.5f) / kAzimuths;
       const glm::vec3 half = glm::normalize(glm::vec3(slope * std::cos(azimuth), slope * std::sin(azimuth), 1));
-      const float across = glm::dot(half, out);
-      const float in = 2 * across * half.z - cosine;
+      const float across = glm::dot(half, out), in = 2 * across * half.z - cosine;
       if (across <= 0 || in <= 0) continue;
       const float seen = 2 * in * across / (half.z * (in * reach(cosine) + cosine * reach(in)));
-      sum.even += seen;
-      sum.grazing += seen * std::pow(1 - across, 5.0f);
+      view.normals.emplace_back(std::min(across, 1.0f), seen / (kPlaces * kAzimuths));
     }
-  constexpr auto kCount = static_cast<float>(kPlaces * kAzimuths);
-  return {sum.even / kCount, sum.grazing / kCount};
+  return view;
+}
+
+/// `fresnel`: of a strength, 0..1, and a cosine.
+template <class Fresnel>
+GlossStrength nearestGloss(const Principled& surface, const Fresnel& fresnel) {
+  const glm::vec2 slopes = ggxSlopes({surface.roughness, surface.anisotropy});
+  const float alpha = std::sqrt(slopes.x * slopes.y);
+  std::vector<GlossView> views;
+  std::vector<float> wanted;
+  for (int i = 0; i < kViews; ++i) {
+    const GlossView& view = views.emplace_back(glossView(alpha, std::sqrt((static_cast<float>(i) + 0.5f) / kViews)));
+    wanted.push_back(surface.specular * view.albedo([](float cosine) { return schlick(kGlass, cosine); }));
+  }
+  const auto rms = [&](float strength) {
+    float squares = 0;
+    for (size_t i = 0; i < views.size(); ++i) {
+      const float off = views[i].albedo([&](float cosine) { return fresnel(strength, cosine); }) - wanted[i];
+      squares += off * off;
+    }
+    return std::sqrt(squares / kViews);
+  };
+  // The error has one valley: thirds of where it lies are left out, one after the other.
+  float low = 0, high = 1;
+  while (high - low > 1e-3f) {
+    const float third = (high - low) / 3;
+    if (rms(low + third) < rms(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  const float best = 0.5f * (low + high);
+  return {best, rms(best)};
 }
 
 }  // namespace
@@ -88,34 +141,15 @@ DisneyGloss openPbrGloss(float roughness, float anisotropy) {
   return {std::sqrt(slopes.x * std::sqrt((1 + ratio * ratio) / 2)), 1 - ratio};
 }
 
-DisneySpecular disneySpecular(const Principled& surface) {
-  constexpr int kViews = 32;  // of equal projected solid angle
-  constexpr float kGlass = 0.04f, kMost = 0.08f;
-  const glm::vec2 slopes = ggxSlopes({surface.roughness, surface.anisotropy});
-  const float alpha = std::sqrt(slopes.x * slopes.y);
-  // Albedos are linear in the reflectance at the normal: grazing + reflectance (even - grazing). What is looked for is
-  // the reflectance whose albedos have the least squares from those that are wanted.
-  std::vector<glm::vec2> lines;  // `even - grazing`, and what is wanted less `grazing`
-  float products = 0, squares = 0;
-  for (int i = 0; i < kViews; ++i) {
-    const GlossAlbedo albedo = glossAlbedo(alpha, std::sqrt((static_cast<float>(i) + 0.5f) / kViews));
-    const float wanted = surface.specular * (kGlass * albedo.even + (1 - kGlass) * albedo.grazing);
-    const glm::vec2& line = lines.emplace_back(albedo.even - albedo.grazing, wanted - albedo.grazing);
-    products += line.x * line.y;
-    squares += line.x * line.x;
-  }
-  const float reflectance = std::clamp(products / squares, 0.0f, kMost);
-  float errors = 0;
-  for (const glm::vec2& line : lines) errors += (reflectance * line.x - line.y) * (reflectance * line.x - line.y);
-  return {reflectance / kMost, std::sqrt(errors / kViews)};
+GlossStrength disneySpecular(const Principled& surface) {
+  return nearestGloss(surface, [](float value, float cosine) { return schlick(2 * kGlass * value, cosine); });
 }
 
-float openPbrSpecular(const Principled& surface) {
-  return std::min(1.0f, 2 * disneySpecular(surface).value);
+GlossStrength openPbrSpecular(const Principled& surface) {
+  return nearestGloss(surface, [](float value, float cosine) { return dielectric(kGlass * value, cosine); });
 }
 
 DisneySheen disneySheen(const Principled& surface) {
-  constexpr int kViews = 32;  // of equal projected solid angle
   const SheenAlbedo charlie(surface.sheenRoughness);
   const Rgb& colour = surface.sheenColour;
   const float mean = (colour.r + colour.g + colour.b) / 3, square = glm::dot(colour, colour) / 3;

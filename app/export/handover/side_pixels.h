@@ -31,16 +31,16 @@ DisneyGloss disneyGloss(float roughness, float anisotropy);
 /// The same as OpenPBR has them: slopes r^2 sqrt(2 / (1 + (1 - anisotropy)^2)), and (1 - anisotropy) times that.
 DisneyGloss openPbrGloss(float roughness, float anisotropy);
 
-/// The gloss as Disney's surface and OpenPBR have it: with the same slopes, but it mirrors all light at grazing however
-/// weak it is, where glTF's Fresnel is `specular` times that of glass everywhere. The value is that for which its
-/// albedo is nearest to glTF's in all views.
-struct DisneySpecular {
-  float value = 0.5f;  ///< 0..1, for reflectances of 0 to 8 % at the normal; glass has 0.5
+/// How strong a gloss is in a model with another Fresnel than glTF's, which is that of glass times `specular` at every
+/// angle: so that its albedo is nearest to glTF's in all views.
+struct GlossStrength {
+  float value = 0;     ///< 0..1
   float rmsError = 0;  ///< of the albedo, by projected solid angle, over views
 };
-DisneySpecular disneySpecular(const Principled& surface);
-/// The same as OpenPBR's weight of the reflectance of glass at the normal, 0..1.
-float openPbrSpecular(const Principled& surface);
+/// Of Disney's: Schlick's from 0.08 value at the normal to 1 at grazing, however small the value; glass has 0.5.
+GlossStrength disneySpecular(const Principled& surface);
+/// Of OpenPBR's specular_weight: Fresnel's equations for a body that reflects 0.04 value at the normal; glass has 1.
+GlossStrength openPbrSpecular(const Principled& surface);
 
 /// The sheen as Disney's surface has it, which has no roughness: `value` times Schlick's (1 - cos)^5 of the angle
 /// between light and half vector, white. The value is that for which its albedo is nearest to glTF's in all views.

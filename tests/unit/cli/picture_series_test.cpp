@@ -71,8 +71,10 @@ TEST(PictureSeries, AListMayBeMarkedAsUnicodeAndItsNamesBeAnyBytes) {
   EXPECT_THAT(namesInList(folder.file("marked.txt")), ElementsAre("/twill.json", "/na\xC3\xAFve.json"));
   std::ofstream(folder.file("wide.txt")) << std::string("\xFF\xFE/\0a\0\n\0", 8);
   EXPECT_THAT(namesInList(folder.file("wide.txt")), ElementsAre("/a"));
-  std::ofstream(folder.file("bytes.txt")) << "/na\xEFve.json\n";
-  EXPECT_THAT(namesInList(folder.file("bytes.txt")), ElementsAre("/na\xEFve.json"));
+  for (const char* mark : {"", "\xEF\xBB\xBF"}) {
+    std::ofstream(folder.file("bytes.txt")) << mark << "/na\xEFve.json\n";
+    EXPECT_THAT(namesInList(folder.file("bytes.txt")), ElementsAre("/na\xEFve.json"));
+  }
 }
 
 }  // namespace

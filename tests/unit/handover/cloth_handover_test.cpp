@@ -62,10 +62,12 @@ TEST(ClothHandover, WhatCannotBeWrittenIsSaidBeforeAnyWork) {
   std::filesystem::create_directories(folder.file("taken texture/textures/Check_back_BASE.png"));
   std::filesystem::create_directories(folder.file("no folder"));
   std::ofstream(folder.file("no folder/textures")) << "in the way of a folder";
+  std::filesystem::create_directories(folder.file("lost link"));
+  std::filesystem::create_symlink("nowhere", folder.file("lost link/textures"));
   bool worked = false;
   Task task;
   task.progress = [&worked](double) { worked = true; };
-  for (const char* in : {"file", "file/under", "taken", "taken texture", "no folder"})
+  for (const char* in : {"file", "file/under", "taken", "taken texture", "no folder", "lost link"})
     EXPECT_THROW(handOver({fewSamples(), folder.file(in)}, few(), 1e9, task), InputError) << in;
   EXPECT_FALSE(worked);
 }
