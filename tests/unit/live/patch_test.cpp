@@ -113,6 +113,15 @@ TEST(Patched, IsAsGoodAsTheWorseOfBoth) {
   EXPECT_EQ(patched(fresh, old, kNow, kThen, false).quality, PreviewQuality::sketch);
 }
 
+// What is fresh in it decides what may be seen of later passes.
+TEST(Patched, SharesLightWhereTheFreshPictureDoes) {
+  Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
+  old.shared = true;
+  EXPECT_FALSE(patched(fresh, old, kNow, kThen, false).shared);
+  std::swap(fresh.shared, old.shared);
+  EXPECT_TRUE(patched(fresh, old, kNow, kThen, false).shared);
+}
+
 TEST(Patched, TakesCoarsePicturesThatReachBeyondTheEdge) {
   const Frame old = pictureOf(48, 1, kOld);
   Frame fresh = pictureOf(64, 32, kFresh);

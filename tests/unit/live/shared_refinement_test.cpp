@@ -319,13 +319,19 @@ TEST_F(SharedRefinement, ASketchInKnownLightIsSeenUntilLightIsShared) {
   ASSERT_TRUE(sketch.showsKnownLight());
   Refinement after(moved, kWidth, kTall, {.secondsPerPath = 10 * kSlow_s});
   after.shareLight(sketch.takeSharedLight(), {});
-  after.standIn(std::make_shared<const Frame>(sketch.frame()));
+  auto shown = std::make_shared<Frame>(sketch.frame());
+  shown->quality = PreviewQuality::sketch;
+  after.standIn(shown);
   after.skipCoarse(sketch.divider());
   const Frame first = after.frame();
-  while (!after.frame().shared) {
-    EXPECT_TRUE(std::ranges::equal(after.frame().plain(), first.plain())) << after.divider();
-    ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
-  }
+  EXPECT_TRUE(first.shared);
+  const auto showsTheSketch = [&] { return std::ranges::equal(after.frame().plain(), first.plain()); };
+  while (after.divider() == sketch.divider()) ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+  EXPECT_TRUE(showsTheSketch()) << "a coarse pass is seen";
+  while (showsTheSketch()) ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+  EXPECT_EQ(after.samples(), 0u) << "light is shared before any fine pass";
+  for (const int divider = after.divider(); after.divider() == divider;) ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+  EXPECT_NE(after.frame().quality, PreviewQuality::sketch) << "nothing is left of it";
 }
 
 TEST_F(SharedRefinement, ServesVolumesOnEveryDrape) {
