@@ -28,12 +28,12 @@ float disneySheenAlbedo(float cosine) {
 constexpr int kViews = 32;  // of equal projected solid angle
 constexpr float kGlass = 0.04f;
 
-/// Fresnel's of glass after Schlick, by the cosine with the half vector.
+/// Schlick's Fresnel of a body that reflects so much at the normal, by the cosine with the half vector.
 float schlick(float reflectance, float cosine) {
   return reflectance + (1 - reflectance) * std::pow(1 - cosine, 5.0f);
 }
 
-/// Fresnel's equations for a body that reflects so much at the normal.
+/// Fresnel's equations for the same.
 float dielectric(float reflectance, float cosine) {
   const float root = std::sqrt(reflectance), index = (1 + root) / (1 - root);
   const float inside = std::sqrt(1 - (1 - cosine * cosine) / (index * index));
