@@ -57,10 +57,12 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const ClothInView& seen, con
   if (!open_) return result;
   if (!beginLastingModal(ui, words::snapshot::title, ImVec2(ui.px(480), 0), open_, opening_)) return result;
   ImGui::BeginDisabled(job.running);
+  beginModalRows(ui, "snapshot.rows", renderJobHeight(ui));
   bool changed = snapshotOptionRows(ui, options_, settings_, seen);
   changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
   textField(ui, {"snapshot.file", words::snapshot::file}, file_);
   result.chooseFile = opening_ = chooseFileButton(ui, "snapshot", file_);  // it comes back when the browser has gone
+  endModalRows("snapshot.rows");
   ImGui::EndDisabled();
   if (changed) result.settings = settings_;
 

@@ -32,7 +32,7 @@ HandoverDialog::Result HandoverDialog::draw(Ui& ui, const HandoverModel& model, 
   if (!open_) return result;
   if (!beginLastingModal(ui, words::handover::title, ImVec2(ui.px(480), 0), open_, opening_)) return result;
   ImGui::BeginDisabled(job.running);
-  beginModalRows(ui, "handover.rows", kRenderJobLines);
+  beginModalRows(ui, "handover.rows", renderJobHeight(ui));
   result.chooseFolder = opening_ = rows(ui, model);  // it comes back when the browser has gone
   endModalRows("handover.rows");
   ImGui::EndDisabled();

@@ -12,6 +12,11 @@
 #include "ui/words/picture_words.h"
 
 namespace loomlight {
+namespace {
+
+constexpr float kProgressHeight = 4;
+
+}  // namespace
 
 bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file) {
   ImGui::Dummy(ImVec2(0, 0));
@@ -24,8 +29,12 @@ bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file
   return pressed;
 }
 
+float renderJobHeight(const Ui& ui) {
+  return ui.px(kProgressHeight) + ImGui::GetStyle().ItemSpacing.y + ImGui::GetTextLineHeightWithSpacing();
+}
+
 RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file) {
-  ImGui::ProgressBar(static_cast<float>(job.fraction), ImVec2(-1, ui.px(4)), "");
+  ImGui::ProgressBar(static_cast<float>(job.fraction), ImVec2(-1, ui.px(kProgressHeight)), "");
   std::error_code ignored;
   const bool replaces = !job.running && std::filesystem::exists(file, ignored);
   const std::string there =

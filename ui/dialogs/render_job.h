@@ -22,8 +22,8 @@ struct RenderJobAnswer {
 
 /// Below the row of the file, with its name: the path may go on beyond its field.
 bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file);
-/// Lines of the next above its buttons, for which a dialog whose rows scroll leaves room.
-inline constexpr int kRenderJobLines = 2;
+/// Pixels of the next above its buttons, for which a dialog whose rows scroll leaves room.
+float renderJobHeight(const Ui& ui);
 /// The last rows of the dialog: progress or outcome; Cancel or Close, and Render where a file is named, or
 /// Replace where there is one already.
 RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file);

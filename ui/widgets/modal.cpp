@@ -68,9 +68,8 @@ float roomAboveButtons(const Ui& ui) {
   return std::max(ui.px(96), ImGui::GetIO().DisplaySize.y - 2 * ui.px(kEdge) - ImGui::GetCursorPosY() - below);
 }
 
-void beginModalRows(const Ui& ui, const char* id, int linesBelow) {
-  const float lines = static_cast<float>(linesBelow) * ImGui::GetFrameHeightWithSpacing();
-  const float room = roomAboveButtons(ui) - lines, known = ImGui::GetStateStorage()->GetFloat(ImGui::GetID(id), room);
+void beginModalRows(const Ui& ui, const char* id, float below) {
+  const float room = roomAboveButtons(ui) - below, known = ImGui::GetStateStorage()->GetFloat(ImGui::GetID(id), room);
   ImGui::BeginChild(id, ImVec2(0, std::min(known, room)));
 }
 

@@ -15,8 +15,9 @@ void endModal();
 /// in a low window that part scrolls, and the buttons stay in sight.
 float roomAboveButtons(const Ui& ui);
 /// The rows between a dialog's heading and its last line of buttons, in a dialog that fits its content: as high as they
-/// are, or in a low window as high as there is room, and then they scroll. `linesBelow`: between them and the buttons.
-void beginModalRows(const Ui& ui, const char* id, int linesBelow = 0);
+/// are, or in a low window as high as there is room, and then they scroll. `below`: the height, in pixels, of what
+/// stands between them and the buttons.
+void beginModalRows(const Ui& ui, const char* id, float below = 0);
 void endModalRows(const char* id);
 /// Escape, unless a list that is open in the dialog or a number that is being typed takes it. In a line of text, which
 /// it leaves, it closes the dialog all the same.

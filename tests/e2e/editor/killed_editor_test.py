@@ -17,7 +17,7 @@ from window_driver import expect, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 KILLS = int(os.environ.get("LOOMLIGHT_KILLS", "6"))
-WIDTH, HEIGHT = 800, 520
+WIDTH, HEIGHT = 960, 600
 ACTIONS = ("keep", "save", "settings", "view", "preset", "snapshot")
 # With so many each action comes sixteen times: one in five waits for its end, all but 3 % of such series do so once.
 ENOUGH_KILLS = 16 * len(ACTIONS)

@@ -41,6 +41,12 @@ Fabric lightFabric() {
   return fabric;
 }
 
+void expectInside(const HeadlessEditor& editor, const std::string& widget) {
+  const HeadlessEditor::Rect r = editor.rect(widget);
+  EXPECT_TRUE(0 <= r.x0 && r.x0 < r.x1 && r.x1 <= editor.screen().x) << widget << " " << r.x0 << " " << r.x1;
+  EXPECT_TRUE(0 <= r.y0 && r.y0 < r.y1 && r.y1 <= editor.screen().y) << widget << " " << r.y0 << " " << r.y1;
+}
+
 class LookAt : public testing::TestWithParam<Look> {
  protected:
   LookAt() {
@@ -58,11 +64,6 @@ class LookAt : public testing::TestWithParam<Look> {
       EXPECT_FALSE(name.starts_with("clipped.")) << where << ": " << name << " has lost the end of " << text;
       EXPECT_FALSE(hasRoom && name.starts_with("shortened.")) << where << ": " << name << " is not all of " << text;
     }
-  }
-  void expectInside(const std::string& widget) const {
-    const HeadlessEditor::Rect r = editor.rect(widget);
-    EXPECT_TRUE(0 <= r.x0 && r.x0 < r.x1 && r.x1 <= editor.screen().x) << widget << " " << r.x0 << " " << r.x1;
-    EXPECT_TRUE(0 <= r.y0 && r.y0 < r.y1 && r.y1 <= editor.screen().y) << widget << " " << r.y0 << " " << r.y1;
   }
 
   /// Where the next line of structures begins.
@@ -86,8 +87,8 @@ TEST_P(LookAt, EveryPageIsWholeAndAllIsInReach) {
     expectWhole(page);
     for (const char* widget : {"draft.canvas", "draft.tieup_0_1", "draft.tab_colours", "tab.yarn", "viewport",
                                "view.light", "view.exposure", "status.work"})
-      expectInside(widget);
-    expectInside(editor.shows("presets.browse") ? "presets.browse" : "sample/Blue cloth");
+      expectInside(editor, widget);
+    expectInside(editor, editor.shows("presets.browse") ? "presets.browse" : "sample/Blue cloth");
   }
 }
 
@@ -100,7 +101,7 @@ TEST_P(LookAt, EveryMenuIsWhole) {
   for (const auto& [menu, item] : menus) {
     editor.click(menu);
     editor.centre(item);
-    expectInside(item);
+    expectInside(editor, item);
     expectWhole(menu);
     editor.key("Escape");
     editor.until("Esc shuts the menu", [&, name = item] { return !editor.shows(name); });
@@ -123,14 +124,14 @@ TEST_P(LookAt, EveryDialogIsWhole) {
     editor.click(dialog.menu);
     editor.click(dialog.item);
     editor.centre(dialog.close);
-    expectInside(dialog.close);
+    expectInside(editor, dialog.close);
     expectWhole(dialog.item);
     editor.key("Escape");
     editor.until("Esc closes the dialog", [&] { return !editor.shows(dialog.close); });
   }
   editor.key("ctrl+e");
   editor.centre("tile.close");
-  expectInside("tile.close");
+  expectInside(editor, "tile.close");
   expectWhole("the tile");
 }
 
@@ -145,7 +146,7 @@ TEST_P(LookAt, TheLensIsWhole) {
   const char* const bar[] = {"lens.bar", "lens.fibres", "lens.difference", "lens.close"};
   for (size_t i = 0; i + 1 < std::size(bar); ++i)
     EXPECT_LE(editor.rect(bar[i]).x1, editor.rect(bar[i + 1]).x0) << bar[i];
-  for (const char* part : bar) expectInside(part);
+  for (const char* part : bar) expectInside(editor, part);
 }
 
 /// A row of floats takes room from the draft alone: tabs and presets stay under the mouse.
@@ -182,9 +183,9 @@ TEST_P(LookAt, WhatThePanelOfTheDraftSaysIsSaidWhole) {
   EXPECT_GT(gap, 2 * above) << "it is seen whose name it is";
   if (GetParam().screen.height / GetParam().screen.scale >= 900) {  // of the last one the name is read too
     const HeadlessEditor::Rect last = editor.rect("structure/Sateen 8/name");
-    expectInside("structure/Sateen 8/name");
+    expectInside(editor, "structure/Sateen 8/name");
     EXPECT_LT(last.y1, editor.rect(editor.shows("presets.browse") ? "presets.browse" : "sample/Blue cloth").y0);
-    expectInside("structures.open");
+    expectInside(editor, "structures.open");
   }
   for (const auto& [name, text] : editor.snapshot().facts)
     EXPECT_FALSE(name.starts_with("shortened.structure/")) << text;
@@ -316,6 +317,29 @@ TEST_F(LookAtSmall, TheInterfaceIsResized) {
   expectWhole(editor, "a larger interface");
   editor.click("preferences.size/100 %");
   editor.until("rows are as high as before", [&] { return height() == usual; });
+}
+
+/// In the smallest window that the program asks for, dialogs show all of their rows. A window manager may make it
+/// smaller still: rows that have no room scroll then, and the buttons that end the dialog stay in reach.
+TEST(LookAtLeast, DialogsEndWithinTheWindow) {
+  constexpr HeadlessEditor::Screen kLeast{960, 600, 1}, kLess{800, 520, 1};
+  for (const HeadlessEditor::Screen& screen : {kLeast, kLess}) {
+    HeadlessEditor editor(screen);
+    editor.start(lightFabric());
+    editor.untilPictured();
+    for (const auto& [key, dialog] : {std::pair("ctrl+p", "snapshot"), {"ctrl+e", "tile"}}) {
+      const std::string name = dialog, last = name + ".browse", close = name + ".close", start = name + ".start";
+      editor.key(key);
+      editor.centre(start);
+      if (screen.height == kLeast.height) {
+        EXPECT_LT(editor.rect(last).y1, editor.rect(start).y0) << last;
+      }
+      expectInside(editor, close);
+      expectInside(editor, start);
+      editor.key("Escape");
+      editor.until("Esc closes the dialog", [&] { return editor.fact("dialog") == "none"; });
+    }
+  }
 }
 
 }  // namespace
