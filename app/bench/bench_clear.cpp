@@ -72,11 +72,15 @@ class ClearBench {
     page_.paragraph(fmt::format(
         "Pictures of {} x {}, each looked at after an edit of one that is clear: for {} s, and until the first of "
         "them. FLIP is the mean over nine windows, a twentieth of the picture each way, of what the display shows, "
-        "against {} samples of another seed. A step back is how much worse than the best before it a picture was, at "
-        "worst.",
+        "against {} samples of another seed. That of the reference is how far these are themselves from what they "
+        "converge "
+        "to, by chance: the picture of the latter would be as far from them. A step back is how much worse than the "
+        "best "
+        "before it a picture was, at worst.",
         extent_.width, extent_.height, extent_.seconds, extent_.referenceSamples));
     Row header{"cloth", "drape", "light", "edit", "light shared", "first picture, s", "its FLIP"};
     for (const double time_s : kTimes_s) header.push_back(fmt::format("FLIP after {} s", time_s));
+    header.push_back("FLIP of the reference");
     for (const double flip : kClear) header.push_back(fmt::format("s to {:.2f}", flip));
     header.insert(header.end(), {"worst step back", "samples at the end"});
     page_.table("clear", header, rows_);
@@ -128,7 +132,7 @@ class ClearBench {
     const ClearCourse course = watchClear(clock, steps.back(), reference, extent_.seconds, kTimes_s,
                                           command_.pictures ? &pictures : nullptr, task_);
     if (task_.stopped()) return false;
-    add(setting, edit, shared, course);
+    add(setting, edit, shared, course, reference.noise(task_.threads));
     if (!dragged.empty()) {
       clock.pause(true);
       addDrag(setting, edit, shared, courseOf(inDrag, dragged, references(extent_.referenceSamples / 8), task_));
@@ -141,7 +145,8 @@ class ClearBench {
     return true;
   }
 
-  void add(const ClearSetting& setting, const ClearEdit& edit, bool shared, const ClearCourse& course) {
+  void add(const ClearSetting& setting, const ClearEdit& edit, bool shared, const ClearCourse& course,
+           double referenceNoise) {
     const Row about{setting.cloth, setting.drape, setting.light, edit.name, shared ? "yes" : "no"};
     Row row = about;
     row.push_back(course.points.empty() ? "-" : secondsText(course.points.front().since_s));
@@ -150,6 +155,7 @@ class ClearBench {
       const bool isShown = !course.points.empty() && course.points.front().since_s <= time_s;
       row.push_back(isShown && time_s <= extent_.seconds ? fmt::format("{:.3f}", course.at(time_s)) : "-");
     }
+    row.push_back(fmt::format("{:.3f}", referenceNoise));
     for (const double flip : kClear) row.push_back(secondsText(course.timeTo(flip)));
     row.push_back(fmt::format("{:.2f}", course.worstStepBack()));
     row.push_back(course.points.empty() ? "0" : std::to_string(course.points.back().samples));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "app/cli/version_text.h"
 #include "core/base/checksum.h"
@@ -44,29 +46,57 @@ Rgb displayed(const glm::vec4& pixel) {
   return {decodeSrgb(encoded.r), decodeSrgb(encoded.g), decodeSrgb(encoded.b)};
 }
 
-/// All windows below each other.
-Image imageOf(const std::vector<LinearPicture>& windows) {
+using Windows = std::vector<LinearPicture>;
+
+LinearPicture windowOf(const Film& film, const PixelRect& rect) {
+  LinearPicture window{rect.width, rect.height, {}};
+  for (int y = rect.y; y < rect.y + rect.height; ++y)
+    for (int x = rect.x; x < rect.x + rect.width; ++x)
+      window.pixels.push_back(displayed(glm::vec4(film.mean(x, y), film.alpha(x, y))));
+  return window;
+}
+
+/// All windows below each other, of the one list and then of the other.
+Image imageOf(const Windows& windows, const Windows& halfway) {
   Image image;
   image.width = windows.front().width;
-  image.height = static_cast<int>(windows.size()) * windows.front().height;
+  image.height = static_cast<int>(windows.size() + halfway.size()) * windows.front().height;
   for (const char* name : {"R", "G", "B"}) image.add(name);
   for (int c = 0; c < 3; ++c) {
     size_t i = 0;
-    for (const LinearPicture& window : windows)
-      for (const Rgb& pixel : window.pixels) image.channels[c].values[i++] = pixel[c];
+    for (const Windows* list : {&windows, &halfway})
+      for (const LinearPicture& window : *list)
+        for (const Rgb& pixel : window.pixels) image.channels[c].values[i++] = pixel[c];
   }
   return image;
 }
 
-std::vector<LinearPicture> windowsFrom(const LinearPicture& all, const std::vector<PixelRect>& rects) {
-  std::vector<LinearPicture> windows;
-  auto next = all.pixels.begin();
+size_t pixelsIn(const std::vector<PixelRect>& rects) {
+  size_t pixels = 0;
+  for (const PixelRect& rect : rects) pixels += static_cast<size_t>(rect.width) * static_cast<size_t>(rect.height);
+  return pixels;
+}
+
+/// The windows from this pixel of such an image on, which is then that after them.
+Windows windowsFrom(std::span<const Rgb>& pixels, const std::vector<PixelRect>& rects) {
+  Windows windows;
   for (const PixelRect& rect : rects) {
-    const auto end = next + static_cast<std::ptrdiff_t>(rect.width) * rect.height;
-    windows.push_back({rect.width, rect.height, {next, end}});
-    next = end;
+    const auto those = pixels.first(static_cast<size_t>(rect.width) * static_cast<size_t>(rect.height));
+    windows.push_back({rect.width, rect.height, {those.begin(), those.end()}});
+    pixels = pixels.subspan(those.size());
   }
   return windows;
+}
+
+/// Mean FLIP over all of them.
+double meanFlip(const Windows& shown, const Windows& reference, int threads) {
+  double sum = 0;
+  size_t pixels = 0;
+  for (size_t i = 0; i < reference.size(); ++i) {
+    for (const float error : flip(shown[i], reference[i], Viewing{}, threads)) sum += error;
+    pixels += reference[i].pixels.size();
+  }
+  return sum / static_cast<double>(std::max<size_t>(1, pixels));
 }
 
 }  // namespace
@@ -105,8 +135,13 @@ ClearReference::ClearReference(const Fabric& fabric, const ClearReferenceTask& o
   const std::string file = fmt::format("{}/{:016x}.exr", of.folder, key);
   const std::vector<PixelRect> rects = windowsIn(width_, height_);
   if (std::filesystem::exists(file)) {
-    windows_ = windowsFrom(readLinearPicture(file), rects);
-    return;
+    const LinearPicture kept = readLinearPicture(file);
+    std::span<const Rgb> pixels = kept.pixels;
+    if (pixels.size() == 2 * pixelsIn(rects)) {  // else another program of this name looked at other windows
+      windows_ = windowsFrom(pixels, rects);
+      halfway_ = windowsFrom(pixels, rects);
+      return;
+    }
   }
   const auto scene = makeScene(std::make_shared<const Fabric>(seeded), task);
   if (!scene) return;
@@ -115,14 +150,13 @@ ClearReference::ClearReference(const Fabric& fabric, const ClearReferenceTask& o
   Film film(width_, height_);
   const CameraRays camera(seeded.camera, width_, height_);
   for (const PixelRect& rect : rects) {
-    if (!renderUpTo(of.samples, *scene, *medium, camera, film, task, {.window = rect}).complete) return;
-    LinearPicture& window = windows_.emplace_back();
-    window = {rect.width, rect.height, {}};
-    for (int y = rect.y; y < rect.y + rect.height; ++y)
-      for (int x = rect.x; x < rect.x + rect.width; ++x)
-        window.pixels.push_back(displayed(glm::vec4(film.mean(x, y), film.alpha(x, y))));
+    for (const auto& [samples, windows] :
+         {std::pair(std::max(1u, of.samples / 2), &halfway_), {of.samples, &windows_}}) {
+      if (!renderUpTo(samples, *scene, *medium, camera, film, task, {.window = rect}).complete) return;
+      windows->push_back(windowOf(film, rect));
+    }
   }
-  writeExr(file, imageOf(windows_));
+  writeExr(file, imageOf(windows_, halfway_));
 }
 
 std::vector<LinearPicture> ClearReference::windowsOf(const Frame& frame) const {
@@ -140,13 +174,11 @@ std::vector<LinearPicture> ClearReference::windowsOf(const Frame& frame) const {
 }
 
 double ClearReference::distance(const std::vector<LinearPicture>& shown, int threads) const {
-  double sum = 0;
-  size_t pixels = 0;
-  for (size_t i = 0; i < windows_.size(); ++i) {
-    for (const float error : flip(shown[i], windows_[i], Viewing{}, threads)) sum += error;
-    pixels += windows_[i].pixels.size();
-  }
-  return sum / static_cast<double>(std::max<size_t>(1, pixels));
+  return meanFlip(shown, windows_, threads);
+}
+
+double ClearReference::noise(int threads) const {
+  return meanFlip(halfway_, windows_, threads);
 }
 
 ClearCourse watchClear(LiveClock& clock, const Fabric& fabric, const ClearReference& reference, double seconds,

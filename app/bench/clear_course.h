@@ -47,10 +47,13 @@ class ClearReference {
   std::vector<LinearPicture> windowsOf(const Frame& frame) const;
   /// Mean FLIP.
   double distance(const std::vector<LinearPicture>& shown, int threads) const;
+  /// How far the windows are from what they converge to, as far as chance is the cause, as mean FLIP: they are compared
+  /// with themselves at half of their samples, from which they differ as much, in variance, as from that.
+  double noise(int threads) const;
 
  private:
   int width_, height_;
-  std::vector<LinearPicture> windows_;
+  std::vector<LinearPicture> windows_, halfway_;
 };
 
 /// Shows a fabric for so many seconds and measures every picture afterwards, so as not to take time from the tracer.

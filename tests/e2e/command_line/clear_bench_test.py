@@ -32,6 +32,18 @@ class ClearBench(CommandLineTest):
         for row in self.rows("clear.csv"):
             self.assertGreater(float(row["first picture, s"]), 0.001)
 
+    def test_noise_of_the_reference_is_told(self):
+        """A sixteenth of the variance is a quarter of the noise, of which FLIP makes half at most: it grows with the
+        power of .7 of a difference."""
+        noise = {}
+        for samples in 8, 128:
+            self.run_program("bench", "clear", "--quick", "--only", "open", "--seconds", "0.001", "--share", "on",
+                             "--reference", str(samples), "-o", "out")
+            (row,) = self.rows("clear.csv")
+            noise[samples] = float(row["FLIP of the reference"])
+        self.assertGreater(noise[128], 0)
+        self.assertLess(noise[128], 0.5 * noise[8])
+
     def test_size(self):
         self.run_program("bench", "clear", "--quick", "--only", "open", "--seconds", "0.001", "--share", "on",
                          "--size", "48x64", "-o", "out")
