@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -65,22 +63,49 @@ std::string sidecar(const DigitalCloth& cloth, const SideTextures& front, const 
   return jsonText(json, 2) + "\n";
 }
 
-/// What the files beside the textures are called after the name.
-constexpr std::array kEndings = {".u3m",  ".u3ma",      ".glb",  "_back.glb",
-                                 ".mtlx", "_back.mtlx", ".jfab", ".handover.json"};
-
 std::vector<std::string> textureFiles(const SideTextures& front, const SideTextures& back) {
   std::vector<std::string> files = front.files();
   for (const std::string& file : back.files()) files.push_back(file);
   return files;
 }
 
+/// What the files beside the textures are made of.
+struct Sources {
+  const DigitalCloth& cloth;
+  const SideTextures &front, &back;
+  std::string name, u3m;  ///< the latter: the text of that file, which its archive holds too
+  const FileSet& set;
+  std::chrono::sys_seconds now;
+
+  std::string scratch() const { return set.pathOf("scratch.png"); }
+};
+
+std::string archive(const Sources& of) {
+  std::vector<ArchivedFile> packed{{of.name + ".u3m", of.u3m}};
+  for (const std::string& file : textureFiles(of.front, of.back))
+    packed.push_back({file, readFile(of.set.pathOf(file), std::numeric_limits<size_t>::max())});
+  return restrictedZip(packed, of.now);
+}
+
+/// The files beside the textures: what each is called after the name, and its bytes.
+constexpr struct {
+  const char* ending;
+  std::string (*bytes)(const Sources&);
+} kFiles[] = {{".u3m", [](const Sources& of) { return of.u3m; }},
+              {".u3ma", archive},
+              {".glb", [](const Sources& of) { return glbBytes(of.cloth, ClothSide::front, of.scratch()); }},
+              {"_back.glb", [](const Sources& of) { return glbBytes(of.cloth, ClothSide::back, of.scratch()); }},
+              {".mtlx", [](const Sources& of) { return materialXText(of.cloth, ClothSide::front, of.front); }},
+              {"_back.mtlx", [](const Sources& of) { return materialXText(of.cloth, ClothSide::back, of.back); }},
+              {".jfab", [](const Sources& of) { return jfabText(of.cloth, of.front); }},
+              {".handover.json", [](const Sources& of) { return sidecar(of.cloth, of.front, of.back); }}};
+
 }  // namespace
 
 std::vector<std::string> handoverFiles(const std::string& name) {
   std::vector<std::string> files =
       textureFiles(namesOfTextures(name, ClothSide::front), namesOfTextures(name, ClothSide::back));
-  for (const char* ending : kEndings) files.push_back(name + ending);
+  for (const auto& file : kFiles) files.push_back(name + file.ending);
   return files;
 }
 
@@ -91,24 +116,9 @@ std::optional<HandoverReport> writeHandover(const std::string& folder, const std
   const SideTextures back = writeTextures(set, name, cloth, ClothSide::back, task);
   if (task.stopped()) return std::nullopt;
 
-  const std::string u3m = u3mText(cloth, front, back, now), scratch = set.pathOf("scratch.png");
-  const auto archive = [&] {
-    std::vector<ArchivedFile> packed{{name + ".u3m", u3m}};
-    for (const std::string& file : textureFiles(front, back))
-      packed.push_back({file, readFile(set.pathOf(file), std::numeric_limits<size_t>::max())});
-    return restrictedZip(packed, now);
-  };
-  const std::array<std::function<std::string()>, kEndings.size()> contents = {
-      [&] { return std::string(u3m); },
-      archive,
-      [&] { return glbBytes(cloth, ClothSide::front, scratch); },
-      [&] { return glbBytes(cloth, ClothSide::back, scratch); },
-      [&] { return materialXText(cloth, ClothSide::front, front); },
-      [&] { return materialXText(cloth, ClothSide::back, back); },
-      [&] { return jfabText(cloth, front); },
-      [&] { return sidecar(cloth, front, back); }};
-  for (size_t i = 0; i < kEndings.size(); ++i) {
-    writeFileAtomically(set.add(name + kEndings[i]), contents[i]());
+  const Sources sources{cloth, front, back, name, u3mText(cloth, front, back, now), set, now};
+  for (const auto& file : kFiles) {
+    writeFileAtomically(set.add(name + file.ending), file.bytes(sources));
     if (task.stopped()) return std::nullopt;
   }
   set.place();
