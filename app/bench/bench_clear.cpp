@@ -73,10 +73,8 @@ class ClearBench {
         "Pictures of {} x {}, each looked at after an edit of one that is clear: for {} s, and until the first of "
         "them. FLIP is the mean over nine windows, a twentieth of the picture each way, of what the display shows, "
         "against {} samples of another seed. That of the reference is how far these are themselves from what they "
-        "converge "
-        "to, by chance: the picture of the latter would be as far from them. A step back is how much worse than the "
-        "best "
-        "before it a picture was, at worst.",
+        "converge to, by chance: the picture of the latter would be as far from them. A step back is how much worse "
+        "than the best before it a picture was, at worst.",
         extent_.width, extent_.height, extent_.seconds, extent_.referenceSamples));
     Row header{"cloth", "drape", "light", "edit", "light shared", "first picture, s", "its FLIP"};
     for (const double time_s : kTimes_s) header.push_back(fmt::format("FLIP after {} s", time_s));
