@@ -99,7 +99,7 @@ TEST_P(WhiteFurnace, ClothIsInvisible) {
   std::unique_ptr<const Medium> medium = c.medium.make(*scene);
   if (c.ingredients) medium = std::make_unique<const LoomlightMedium>(scene->cloth, *c.ingredients);
   if (c.medium.fromNear) {
-    const RayCone pixel = CameraRays(fabric.camera, kSide, kSide).ray(kSide / 2, kSide / 2).cone;
+    const RayCone pixel = CameraRays(fabric.camera, kSide, kSide).ray(0.5f * kSide, 0.5f * kSide).cone;
     const float chance = closeUpChance(*scene->cloth, pixel.widthAt(kDistance_mm));
     ASSERT_GT(chance, 0) << "no path goes among fibres";
     ASSERT_LT(chance, 1) << "no path begins in the volume";

@@ -53,8 +53,9 @@ TEST(Stratified, EachPointIsUniform) {
       std::vector<int> counts(kCells);
       for (uint64_t seed = 0; seed < kSeeds; ++seed)
         ++counts[stratified::coordinate(mixBits(seed), index, dimension) >> 28];
+      constexpr double kExpected = 1.0 * kSeeds / kCells;
       double chiSquare = 0;
-      for (const int count : counts) chiSquare += std::pow(count - kSeeds / kCells, 2) / (kSeeds / kCells);
+      for (const int count : counts) chiSquare += std::pow(count - kExpected, 2) / kExpected;
       EXPECT_LT(chiSquare, 50);  // 15 degrees of freedom: one in 10^5
     }
 }
