@@ -120,10 +120,11 @@ inline constexpr Word parallelism{"Fibre straying",
                                   "How far fibres stray from lying side by side: filaments 1, compact and worsted "
                                   "yarns 4 to 5, ring-spun cotton 6 to "
                                   "9, rotor and woollen yarns 11 to 15."};
-inline constexpr Word evenness{"Unevenness",
-                               "How unevenly the yarn is spun: by how much the mass of 8 mm of it varies (Uster CVm). "
-                               "Filament 0 to 2, combed cotton and worsted 11 to 15, carded and rotor yarns 14 to 18, "
-                               "woollen and flax 20 and more."};
+inline constexpr Word evenness{
+    "Unevenness",
+    "How unevenly the yarn is spun: by how much the mass of 8 mm of it varies (Uster CVm). "
+    "Filament 0 to 2, combed cotton and worsted 11 to 15, carded, rotor and woollen yarns 14 "
+    "to 18, flax 20 and more."};
 inline constexpr Word slubs{"Slubs", "Thick places that are spun in on purpose, on a metre of yarn."};
 inline constexpr Word slubLength{"Slub length",
                                  "Of a slub, on average; single ones are up to a third shorter or longer."};
@@ -185,7 +186,8 @@ inline constexpr Word crowding{
     "Crowding",
     "How far threads that float side by side draw together, away from the neighbour that a crossing thread parts them "
     "from. It closes up the pairs of an oxford or a hopsack, makes twill lines plainer, and does nothing to plain "
-    "weave. Above 0 ribs crimp as real ones do. 0 evenly apart; 1 as far as relaxed yarns go, where there "
+    "weave. With it ribs crimp more nearly as relaxed yarns do. 0 evenly apart; 1 as far as relaxed yarns go, where "
+    "there "
     "is room. A large pattern takes much longer to prepare with it."};
 inline constexpr Word press{"Pressing",
                             "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and "
@@ -203,7 +205,7 @@ inline constexpr Word milling{
 inline constexpr Word mercerised{
     "Mercerised",
     "Cotton is swollen in lye: its fibres become round and smooth, and lustrous. It acts on "
-    "fibres whose section is a kidney."};
+    "all fibres whose section is a kidney, and is meant for cotton."};
 inline constexpr Word crimpBalance{
     "Crimp balance", "Above 1 the warp takes more of the crimp, below 1 the weft; at 1 stiffness and sett decide."};
 
@@ -246,7 +248,10 @@ inline constexpr Word selvedgeWeave{"Selvedge weave",
 
 // What follows for the cloth
 inline constexpr Word mass{"Mass", "What one square metre weighs, from counts, sett and crimp."};
-inline constexpr Word thickness{"Thickness", "From the lowest to the highest fibre, loose hairs left out."};
+inline constexpr Word thickness{
+    "Thickness",
+    "From the lowest to the highest place of its yarns, taken as even; nothing presses on them, and "
+    "hair and nap are left out."};
 inline constexpr Word weaveRepeat{"Weave repeat", "Threads and size of one repeat of the weave."};
 inline constexpr Word weaveSize{"Weave size"};
 inline constexpr Word patternSize{"Pattern size"};

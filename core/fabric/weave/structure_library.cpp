@@ -190,7 +190,7 @@ std::vector<StructureKind> makeLibrary() {
        makeShadedSatin},
       {"Waffle",
        "Floats that grow towards ridges and shrink again; also honeycomb.",
-       {{"Shafts", "More make deeper cells.", 3, 16, 5}},
+       {{"Shafts", "More make larger cells. How they deepen as the cloth shrinks is not modelled.", 3, 16, 5}},
        [](const Values& v) { return named(fmt::format("Waffle on {} shafts", v[0]), waffle(v[0])); }},
       {"Crepe",
        "Plain weave roughened by the points of a sateen.",
