@@ -24,7 +24,7 @@ struct NamedLight {
 };
 constexpr std::array kLights{NamedLight{"sky", LightKind::sky}, NamedLight{"dome", LightKind::dome},
                              NamedLight{"headlight", LightKind::headlight}};
-constexpr size_t kDome = 1;                 // among the lights
+constexpr size_t kDomeLight = 1;            // among the lights
 constexpr size_t kFibres = 0, kFinest = 1;  // among the variants
 
 std::vector<Variant> variants() {
@@ -83,10 +83,10 @@ bool addYardstick(const Fabric& fabric, const ReportBench& bench, const Task& ta
   if (!prepared) return false;
   other.push_back(std::move(*prepared));
   Light dome = fabric.light;
-  dome.kind = kLights[kDome].kind;
-  const auto pictures = renderInTurns(other, dome, samplesOf(kLights[kDome], bench.quick), task);
+  dome.kind = kLights[kDomeLight].kind;
+  const auto pictures = renderInTurns(other, dome, samplesOf(kLights[kDomeLight], bench.quick), task);
   if (!pictures) return false;
-  results.yardstick = errorsOf(pictures->front(), results.pictures[kDome][kFibres], task.threads, kMiddle);
+  results.yardstick = errorsOf(pictures->front(), results.pictures[kDomeLight][kFibres], task.threads, kMiddle);
   return true;
 }
 
@@ -143,7 +143,7 @@ void addErrors(ReportPage& page, const ClothResults& results, int threads) {
       const StudyErrors e = errorsOf(results.pictures[i][v], results.pictures[i][kFibres], threads);
       rows.push_back(errorRow(results.cloths[v].variant.name, kLights[i].name, e));
     }
-  rows.push_back(errorRow("other fibres, same yarns (middle)", kLights[kDome].name, results.yardstick));
+  rows.push_back(errorRow("other fibres, same yarns (middle)", kLights[kDomeLight].name, results.yardstick));
   page.table(results.name + "_errors",
              {"method", "light", "red, %", "green, %", "blue, %", "RMS without noise, %", "mean FLIP"}, rows);
 }

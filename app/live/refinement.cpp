@@ -165,7 +165,7 @@ bool Refinement::advance(const Task& task) {
   if (!pass_) pass_ = beginPass();
   const PassPlan& plan = pass_->plan;
   Film& film = filmFor(plan.divider);
-  const CameraRays camera(scene().fabric->camera, film.width(), film.height());
+  const CameraRays camera(scene().fabric->camera, fine_.width(), fine_.height(), plan.divider);
   PathRecords* records = plan.divider == 1 ? records_.get() : coarseRecords_.get();
   const auto start = Clock::now();
   const double budget = passBudget_s(history_);
@@ -234,14 +234,14 @@ void Refinement::showMoved(MovedView view) {
 bool Refinement::showKnownLight(const Task& task) {
   const int finer = history_.first.finer;
   if (finer == 1 || history_.divider == 1) return true;
-  auto view = shared_->known(coarse_.back().film, finer, task);
+  auto view = shared_->known(coarse_.back(), finer, task);
   if (!view) return false;
   const SharedPicture& picture = view->picture;
   Frame frame;
   frame.divider = history_.divider / finer;
   frame.width = picture.width;
   frame.height = picture.height;
-  frame.window = {0, 0, picture.width * frame.divider, picture.height * frame.divider};
+  frame.window = {0, 0, fine_.width(), fine_.height()};
   for (size_t i = 0; i < picture.light.size(); ++i) frame.rgba.emplace_back(picture.light[i], picture.alpha[i]);
   frame.hits = std::move(view->hits);
   frame.helped = frame.rgba;
@@ -426,7 +426,9 @@ Frame Refinement::traced(const Film& film, int divider) const {
   frame.divider = divider;
   frame.width = pixels.width;
   frame.height = pixels.height;
-  frame.window = {pixels.x * divider, pixels.y * divider, pixels.width * divider, pixels.height * divider};
+  const glm::ivec2 corner = divider * glm::ivec2(pixels.x, pixels.y), size(fine_.width(), fine_.height());
+  const glm::ivec2 within = glm::min(divider * glm::ivec2(pixels.width, pixels.height), size - corner);
+  frame.window = {corner.x, corner.y, within.x, within.y};
   frame.rgba.resize(static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height));
   if (!options_.asTraced) frame.hits.resize(frame.rgba.size());
   if (standIn_ && !standIn_->frame().helped.empty()) frame.helped.resize(frame.rgba.size());

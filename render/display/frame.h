@@ -10,9 +10,9 @@
 
 namespace loomlight {
 
-/// A picture of the viewport, or of a window onto it; immutable once it is shown. Coarse first passes have fewer pixels
-/// than the window: show them stretched over it. A picture under way may be fine where it has come to, and as before
-/// elsewhere.
+/// A picture of the viewport, or of a window onto it; immutable once it is shown. Coarse first passes have fewer,
+/// larger pixels, the last of which may reach beyond the window: show as much of them as is within. A picture under way
+/// may be fine where it has come to, and as before elsewhere.
 struct Frame {
   int width = 0, height = 0;
   std::vector<glm::vec4> rgba;  ///< as traced: linear, premultiplied by alpha; row by row from the top left
@@ -37,6 +37,8 @@ struct Frame {
   std::span<const glm::vec4> whole() const { return denoised.empty() ? plain() : denoised; }
   std::span<const glm::vec4> shown() const { return isDivided() ? booth : whole(); }
   bool isDivided() const { return !booth.empty(); }
+  /// What its pixels cover: the window, and of a coarse one what the last of them reach beyond it.
+  PixelRect reach() const { return {window.x, window.y, divider * width, divider * height}; }
 };
 
 }  // namespace loomlight

@@ -14,9 +14,9 @@ constexpr double radians(double degrees) {
 
 }  // namespace
 
-CameraRays::CameraRays(const Camera& camera, int width, int height)
-    : width_(width), height_(height), orthographic_(camera.fov_deg <= 0.0) {
-  assert(width > 0 && height > 0);
+CameraRays::CameraRays(const Camera& camera, int width, int height, int divider)
+    : middle_(0.5f * glm::vec2(width, height) / static_cast<float>(divider)), orthographic_(camera.fov_deg <= 0.0) {
+  assert(width > 0 && height > 0 && divider > 0);
   const double azimuth = radians(camera.azimuth_deg), elevation = radians(camera.elevation_deg);
   const glm::dvec3 outward(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                            std::sin(elevation));
@@ -27,15 +27,14 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
   right_ = right;
   up_ = glm::cross(outward, right);
   const double slope = 0.5 * heightSeenPerDistance(camera);
-  halfHeight_ = static_cast<float>(orthographic_ ? camera.distance_mm * slope : slope);
+  const auto halfHeight = static_cast<float>(orthographic_ ? camera.distance_mm * slope : slope);
+  pixelSize_ = 2.0f * halfHeight / static_cast<float>(height) * static_cast<float>(divider);
 }
 
 Ray CameraRays::ray(float x, float y) const {
-  const float pixel = 2.0f * halfHeight_ / static_cast<float>(height_);
-  const glm::vec3 offset =
-      pixel * ((x - 0.5f * static_cast<float>(width_)) * right_ + (0.5f * static_cast<float>(height_) - y) * up_);
-  if (orthographic_) return {eye_ + offset, forward_, {pixel, 0}};
-  return {eye_, glm::normalize(forward_ + offset), {0, pixel}};
+  const glm::vec3 offset = pixelSize_ * ((x - middle_.x) * right_ + (middle_.y - y) * up_);
+  if (orthographic_) return {eye_ + offset, forward_, {pixelSize_, 0}};
+  return {eye_, glm::normalize(forward_ + offset), {0, pixelSize_}};
 }
 
 std::optional<CameraRays::Projection> CameraRays::project(const glm::vec3& point) const {
@@ -43,14 +42,12 @@ std::optional<CameraRays::Projection> CameraRays::project(const glm::vec3& point
   const float along = glm::dot(to, forward_);
   if (along <= 0) return std::nullopt;
   const float pixel = pixelSize_mm(along);
-  return Projection{0.5f * static_cast<float>(width_) + glm::dot(to, right_) / pixel,
-                    0.5f * static_cast<float>(height_) - glm::dot(to, up_) / pixel,
+  return Projection{middle_.x + glm::dot(to, right_) / pixel, middle_.y - glm::dot(to, up_) / pixel,
                     orthographic_ ? along : glm::length(to)};
 }
 
 float CameraRays::pixelSize_mm(float distance) const {
-  const float pixel = 2.0f * halfHeight_ / static_cast<float>(height_);
-  return orthographic_ ? pixel : pixel * distance;
+  return orthographic_ ? pixelSize_ : pixelSize_ * distance;
 }
 
 }  // namespace loomlight

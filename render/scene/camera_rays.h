@@ -25,8 +25,11 @@ struct Ray {
 /// beyond the target as one came over the azimuth: +y for an azimuth of -90 degrees.
 class CameraRays {
  public:
-  CameraRays(const Camera& camera, int width, int height);
-  /// x in [0, width), y in [0, height), from the top left; pixel centres at .5. Its cone is a pixel wide.
+  /// With a divider, of a coarser picture of the same view: each of its pixels stands for divider x divider of a
+  /// picture of width x height, from the top left on, so that its last column and row may reach beyond that.
+  CameraRays(const Camera& camera, int width, int height, int divider = 1);
+  /// x in [0, width / divider), y in [0, height / divider), from the top left; pixel centres at .5. Its cone is a pixel
+  /// wide.
   Ray ray(float x, float y) const;
   /// Where the picture shows a point: the inverse of ray(). Nothing for what is not before the camera.
   struct Projection {
@@ -40,8 +43,8 @@ class CameraRays {
 
  private:
   glm::vec3 eye_, forward_, right_, up_;
-  float halfHeight_ = 0;
-  int width_, height_;
+  glm::vec2 middle_;     ///< of the picture, pixels
+  float pixelSize_ = 0;  ///< mm if orthographic, else mm per mm of the way
   bool orthographic_ = false;
 };
 

@@ -15,13 +15,12 @@
 
 namespace loomlight {
 
-std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells, int width,
-                                   int height, const Task& task) {
+std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells,
+                                   const CameraRays& camera, int width, int height, const Task& task) {
   SeenFibres seen(width, height);
   std::vector<Film::Hit> hits(static_cast<size_t>(width) * static_cast<size_t>(height));
   constexpr int kStripRows = 4;  // that one thread does at a time
   const CellMeans means(cells);
-  const CameraRays camera(scene.fabric->camera, width, height);
   parallelFor(static_cast<size_t>((height + kStripRows - 1) / kStripRows), task.threads, [&](size_t strip) {
     if (task.stopped()) return;
     FirstFibres fibres(scene, medium, camera);

@@ -6,6 +6,7 @@
 #include "core/base/task.h"
 #include "render/film/film.h"
 #include "render/media/medium.h"
+#include "render/scene/camera_rays.h"
 #include "render/scene/scene.h"
 #include "render/share/cell_sums.h"
 #include "render/share/shared_picture.h"
@@ -20,9 +21,9 @@ struct KnownView {
   std::vector<Film::Hit> hits;  ///< of each pixel; without a yarn where its ray went through the cloth or past it
 };
 
-/// None when stopped. A pure function of its arguments, whatever the threads.
-std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells, int width,
-                                   int height, const Task& task);
+/// As the camera sees it, in so many pixels. None when stopped. A pure function of its arguments, whatever the threads.
+std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells,
+                                   const CameraRays& camera, int width, int height, const Task& task);
 
 /// Brightens a picture to the light that a film of the same view knows of, which has 1/finer of its pixels each way:
 /// what shines into another direction now, such as the sheen of satin, is not known to the cells.

@@ -110,9 +110,11 @@ bool SharedLight::addHits(uint32_t perPixel, const Task& task, double budget_s) 
   return hits_->trace(perPixel, *scene_, medium_->fromAfar(), *cells_, task, budget_s);
 }
 
-std::optional<KnownView> SharedLight::known(const Film& coarse, int finer, const Task& task) const {
-  auto view = knownView(*scene_, medium_->fromAfar(), *cells_, finer * coarse.width(), finer * coarse.height(), task);
-  if (view) brightenTo(view->picture, coarse, finer, task.threads);
+std::optional<KnownView> SharedLight::known(const CoarseFilm& coarse, int finer, const Task& task) const {
+  const CameraRays camera(scene_->fabric->camera, hits_->width(), hits_->height(), coarse.divider / finer);
+  const int width = finer * coarse.film.width(), height = finer * coarse.film.height();
+  auto view = knownView(*scene_, medium_->fromAfar(), *cells_, camera, width, height, task);
+  if (view) brightenTo(view->picture, coarse.film, finer, task.threads);
   return view;
 }
 

@@ -66,7 +66,7 @@ class SharedLight {
   bool knows() const { return cells_->size() > 0 && (*cells_)[0].paths > 0; }
   /// The view as it is known by what the cells have from an earlier picture and from a coarse film of this one, whose
   /// pixels are `finer` of its own each way. None when stopped.
-  std::optional<KnownView> known(const Film& coarse, int finer, const Task& task) const;
+  std::optional<KnownView> known(const CoarseFilm& coarse, int finer, const Task& task) const;
 
   /// Whether there is anything to show.
   bool shows() const { return hits() > 0 && knows(); }

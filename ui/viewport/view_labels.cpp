@@ -67,7 +67,7 @@ void viewLabels(Ui& ui, const ViewportModel& model, const InsetView& inset, ImVe
     const float along = min.x + static_cast<float>(model.buildProgress) * (max.x - min.x);
     ImGui::GetWindowDrawList()->AddRectFilled(min, ImVec2(along, min.y + ui.px(3)), packed(ui.theme.accent));
   }
-  if (!model.picture) {
+  if (!model.picture.texture) {
     const ImVec2 size = pillSize(ui, words::viewport::building);
     pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), words::viewport::building, text);
   }

@@ -221,9 +221,9 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(min, max, false);
   draw.AddRectFilled(min, max, packed(ui.theme.surround));
-  if (model.picture)
-    draw.AddImage(model.picture, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
-  if (model.divided) boothOverlay(ui, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
+  const ImVec2 end(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y);
+  if (model.picture.texture) draw.AddImage(model.picture.texture, corner, end, ImVec2(0, 0), model.picture.end);
+  if (model.divided) boothOverlay(ui, corner, end);
   viewLabels(ui, model, view.inset, min, max);
   edit.inset = insetOverlay(ui, model.inset, view.inset, min, view.width, view.height);
   draw.PopClipRect();

@@ -11,9 +11,15 @@
 
 namespace loomlight {
 
+/// Of a texture what lies to the left of and above `end`, in parts of its width and height.
+struct PartOfTexture {
+  ImTextureID texture{};  ///< of the display; null: none yet
+  ImVec2 end{1, 1};
+};
+
 /// What the panel shows; put together by the editor each frame.
 struct ViewportModel {
-  ImTextureID picture{};  ///< of the display; null: none yet
+  PartOfTexture picture;
   /// Pixels that the picture takes, in the middle of the panel: as many as it asked for, unless it was of another size
   /// when that was traced.
   ImVec2 pictureSize;

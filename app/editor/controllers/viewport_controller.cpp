@@ -15,12 +15,10 @@
 namespace loomlight {
 namespace {
 
-/// How wide a picture is in a viewport of this size: as high as that, and of its own proportions. A coarse one reaches
-/// beyond its viewport by a part of a pixel, which is nothing of its proportions.
+/// How wide a picture is in a viewport of this size: as high as that, and of its own proportions.
 int shownWidth(const Frame& frame, int width, int height) {
   const PixelRect& window = frame.window;
-  const auto covers = [&](int length, int room) { return length >= room && length < room + frame.divider; };
-  if (window.height <= 0 || (covers(window.width, width) && covers(window.height, height))) return width;
+  if (window.height <= 0 || (window.width == width && window.height == height)) return width;
   return static_cast<int>(std::clamp<int64_t>(int64_t{window.width} * height / window.height, 1, 4 * int64_t{width}));
 }
 
@@ -97,8 +95,8 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
     outline = {inRepeat(*hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
   ViewportModel model;
   const int pictureWidth = shown ? shownWidth(*shown, view_.width, view_.height) : view_.width;
-  model.picture = service_.picture(pictureWidth, view_.height, tone(fabric->light), proof, outline);
   model.pictureSize = ImVec2(static_cast<float>(pictureWidth), static_cast<float>(view_.height));
+  model.picture = service_.picture(model.pictureSize, tone(fabric->light), proof, outline);
   lookUnderPointer();
   model.under = underPointer_;
   model.underYarn = underPointerYarn_;
@@ -147,7 +145,7 @@ InsetModel ViewportController::insetModelFor(const InsetStatus& status, const Fa
   const InsetFrame* frame = service_.insetFrame();
   InsetModel model = insetModel(status, frame, view_.inset.showsDifference, 1e9 * fibreMemory_GB, fabric.drape);
   if (!frame || !view_.inset.on) return model;
-  const PixelRect& window = frame->fibres->window;
+  const PixelRect window = frame->fibres->reach();
   model.window = {window.x, window.y, window.width, window.height};
   model.picture = service_.insetPicture(tone(fabric.light), proof);
   return model;

@@ -1,6 +1,7 @@
 #include "app/editor/services/view_service.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -14,6 +15,13 @@ namespace {
 /// Whose visibility is to be baked: somebody looks at it, or the picture needs it. Null: nobody's.
 std::shared_ptr<const Fabric> bakedFor(const ViewState& state) {
   return state.fabric && (state.visibilityShown || state.fabric->render.needsVisibility()) ? state.fabric : nullptr;
+}
+
+/// How much of a picture's width and of its height lies in its window.
+glm::vec2 shareInWindow(const Frame& frame) {
+  const PixelRect reach = frame.reach();
+  if (reach.width == 0 || reach.height == 0) return glm::vec2(1.0f);
+  return glm::vec2(frame.window.width, frame.window.height) / glm::vec2(reach.width, reach.height);
 }
 
 }  // namespace
@@ -93,10 +101,13 @@ void ViewService::follow(const ViewState& state) {
   state_ = state;
 }
 
-ImTextureID ViewService::picture(int width, int height, const Tone& tone, const SoftProof& proof,
-                                 std::optional<ViewportPicture::Outline> outline) {
+PartOfTexture ViewService::picture(ImVec2 size, const Tone& tone, const SoftProof& proof,
+                                   std::optional<ViewportPicture::Outline> outline) {
   if (outline && state_.back) outline->crossing.end = outline->ends - 1 - outline->crossing.end;
-  return picture_->display(width, height, tone, proof, outline);
+  const glm::vec2 share = frame_ ? shareInWindow(*frame_) : glm::vec2(1.0f);
+  const auto pixels = [](float length, float part) { return static_cast<int>(std::lround(length / part)); };
+  return {picture_->display(pixels(size.x, share.x), pixels(size.y, share.y), tone, proof, outline),
+          ImVec2(share.x, share.y)};
 }
 
 std::shared_ptr<const Fabric> ViewService::asSeen(const std::shared_ptr<const Fabric>& fabric) const {
@@ -139,7 +150,8 @@ std::optional<Film::Hit> ViewService::hitAt(ImVec2 fraction) const {
   const auto index = [](float along, int count) {
     return std::clamp(static_cast<int>(along * static_cast<float>(count)), 0, count - 1);
   };
-  BoothPixel at{0, index(fraction.x, frame_->width), index(fraction.y, frame_->height)};
+  const glm::vec2 share = shareInWindow(*frame_);
+  BoothPixel at{0, index(fraction.x * share.x, frame_->width), index(fraction.y * share.y, frame_->height)};
   if (frame_->isDivided()) at = boothPixel(at.x, at.y, frame_->width, frame_->height);
   Film::Hit hit = frame_->hits[static_cast<size_t>(at.y) * static_cast<size_t>(frame_->width) + at.x];
   if (hit.yarn < 0) return std::nullopt;
@@ -150,7 +162,7 @@ std::optional<Film::Hit> ViewService::hitAt(ImVec2 fraction) const {
 ImTextureID ViewService::insetPicture(const Tone& tone, const SoftProof& proof) {
   if (!insetFrame_) return {};
   // Colours of the difference go to the display as they are, whatever the exposure.
-  const PixelRect& window = insetFrame_->fibres->window;
+  const PixelRect window = insetFrame_->fibres->reach();
   return insetPicture_->display(window.width, window.height, insetIsDifference_ ? plainTone() : tone,
                                 insetIsDifference_ ? SoftProof{} : proof, std::nullopt);
 }

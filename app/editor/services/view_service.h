@@ -14,6 +14,7 @@
 #include "app/live/live_renderer.h"
 #include "app/live/visibility_worker.h"
 #include "ui/inspector/visibility_section.h"
+#include "ui/viewport/viewport_panel.h"
 
 namespace loomlight {
 
@@ -62,10 +63,11 @@ class ViewService {
 
   /// Whether the picture is of this very fabric, looked at so, and no first look.
   bool shows(const std::shared_ptr<const Fabric>& fabric, const ClothView& view) const;
-  /// Of the picture, at fractions of its width and height from the top left.
+  /// Of the picture, at fractions of its window's width and height from the top left.
   std::optional<Film::Hit> hitAt(ImVec2 fraction) const;
-  ImTextureID picture(int width, int height, const Tone& tone, const SoftProof& proof,
-                      std::optional<ViewportPicture::Outline> outline);
+  /// So that its window takes `size` pixels of the display.
+  PartOfTexture picture(ImVec2 size, const Tone& tone, const SoftProof& proof,
+                        std::optional<ViewportPicture::Outline> outline);
   /// The fabric as it is looked at now.
   std::shared_ptr<const Fabric> asSeen(const std::shared_ptr<const Fabric>& fabric) const;
   /// Of the inset, in pixels of its own; null while there is nothing to show.

@@ -102,8 +102,27 @@ TEST_F(RefinementTest, ACoarseWindowCoversAllThatWasAskedFor) {
   EXPECT_LE(frame.window.y, window.y);
   EXPECT_GE(frame.window.x + frame.window.width, window.x + window.width);
   EXPECT_GE(frame.window.y + frame.window.height, window.y + window.height);
-  EXPECT_EQ(frame.window.width, frame.width * frame.divider);
+  EXPECT_EQ(frame.reach(), frame.window) << "whole pixels, as the viewport is larger";
   EXPECT_EQ(frame.rgba.size(), static_cast<size_t>(frame.width) * frame.height);
+}
+
+// Else what is coarse, and what it stands in for, would lie apart by the more the farther from the corner.
+TEST_F(RefinementTest, ACoarsePixelStandsForWholeFineOnes) {
+  constexpr int kDivider = 7, kColumns = 9, kRows = 7;  // 63 x 49 of 60 x 44
+  Refinement refinement(cloth, kWidth, kHeight, {.secondsPerPath = 1e-3});
+  refinement.beginWith({kDivider, 1e9});
+  ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
+  const Frame frame = refinement.frame();
+  ASSERT_EQ(frame.divider, kDivider);
+  EXPECT_EQ(frame.window, (PixelRect{0, 0, kWidth, kHeight}));
+  EXPECT_EQ(frame.reach(), (PixelRect{0, 0, kColumns * kDivider, kRows * kDivider}));
+  Film film(kColumns, kRows);
+  renderUpTo(1, *cloth.scene, *cloth.medium, CameraRays(cloth.scene->fabric->camera, kWidth, kHeight, kDivider), film,
+             Task{});
+  ASSERT_EQ(frame.rgba.size(), size_t{kColumns} * kRows);
+  for (int y = 0; y < kRows; ++y)
+    for (int x = 0; x < kColumns; ++x)
+      EXPECT_EQ(Rgb(frame.rgba[static_cast<size_t>(y) * kColumns + static_cast<size_t>(x)]), film.mean(x, y));
 }
 
 TEST_F(RefinementTest, AStoppedPassLosesNothing) {

@@ -91,6 +91,26 @@ TEST(CameraRays, DirectionsAreUnit) {
   }
 }
 
+// As in a picture of 7 x 5 pixels, of which 3 x 3 make one: the last of its three columns and two rows are not whole.
+TEST(CameraRays, ACoarsePixelStandsForWholeFineOnes) {
+  for (const double fov : {0.0, 30.0}) {
+    const CameraRays fine(view(20, 40, fov), 7, 5), coarse(view(20, 40, fov), 7, 5, 3);
+    for (int y = 0; y <= 2; ++y)
+      for (int x = 0; x <= 3; ++x) {
+        const auto u = static_cast<float>(x), v = static_cast<float>(y);
+        const Ray a = coarse.ray(u, v), b = fine.ray(3 * u, 3 * v);
+        expectNear(a.origin, b.origin, 1e-4f);
+        expectNear(a.direction, b.direction, 1e-6f);
+        EXPECT_NEAR(a.cone.widthAt(50), 3 * b.cone.widthAt(50), 1e-4);
+        const auto seen = coarse.project(a.origin + 41.0f * a.direction);
+        ASSERT_TRUE(seen);
+        EXPECT_NEAR(seen->x, u, 1e-4);
+        EXPECT_NEAR(seen->y, v, 1e-4);
+      }
+    EXPECT_NEAR(coarse.pixelSize_mm(50), 3 * fine.pixelSize_mm(50), 1e-4);
+  }
+}
+
 TEST(CameraRays, ProjectsAPointToThePixelWhoseRayMeetsIt) {
   for (const double fov : {0.0, 30.0}) {
     const CameraRays rays(view(20, 40, fov), 64, 48);

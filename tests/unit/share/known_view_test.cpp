@@ -57,10 +57,14 @@ class KnownViewTest : public testing::Test {
     scene_ = sceneAt(light, 20);
     known_->moveTo(scene_, medium_, kWidth, kHeight, changes(*scene->fabric, *scene_->fabric));
   }
-  Film trace(int width, int height, uint32_t samples) const {
+  Film trace(int width, int height, uint32_t samples, int divider = 1) const {
     Film film(width, height);
-    renderUpTo(samples, *scene_, *medium_, CameraRays(scene_->fabric->camera, width, height), film, threads(2));
+    const CameraRays camera(scene_->fabric->camera, kWidth, kHeight, divider);
+    renderUpTo(samples, *scene_, *medium_, camera, film, threads(2));
     return film;
+  }
+  CoarseFilm traceCoarse(uint32_t samples) const {
+    return {trace(kCoarse.width, kCoarse.height, samples, kFiner), kFiner};
   }
 
   std::shared_ptr<const Scene> scene_;  ///< of the second view
@@ -71,8 +75,8 @@ class KnownViewTest : public testing::Test {
 // Even than one without noise: it has their detail.
 TEST_F(KnownViewTest, IsNearerToTheViewThanAFilmOfFewerPixels) {
   lookFirst(LightKind::dome);
-  const Film coarse = trace(kCoarse.width, kCoarse.height, 64), wanted = trace(kWidth, kHeight, 64);
-  const auto view = known_->known(trace(kCoarse.width, kCoarse.height, 1), kFiner, threads(2));
+  const Film coarse = traceCoarse(64).film, wanted = trace(kWidth, kHeight, 64);
+  const auto view = known_->known(traceCoarse(1), kFiner, threads(2));
   ASSERT_TRUE(view);
   double ofKnown = 0, ofCoarse = 0;
   for (int y = 0; y < kHeight; ++y)
@@ -88,7 +92,7 @@ TEST_F(KnownViewTest, IsNearerToTheViewThanAFilmOfFewerPixels) {
 
 TEST_F(KnownViewTest, IsTheSameFromAnyNumberOfThreadsAndKnowsItsCrossings) {
   lookFirst(LightKind::sky);
-  const Film coarse = trace(kCoarse.width, kCoarse.height, 1);
+  const CoarseFilm coarse = traceCoarse(1);
   const auto one = known_->known(coarse, kFiner, threads(1)), three = known_->known(coarse, kFiner, threads(3));
   ASSERT_TRUE(one && three);
   EXPECT_EQ(one->picture.light, three->picture.light);
@@ -102,9 +106,25 @@ TEST_F(KnownViewTest, IsTheSameFromAnyNumberOfThreadsAndKnowsItsCrossings) {
   }
 }
 
+// Also where the last of the coarse ones reach beyond the view.
+TEST_F(KnownViewTest, EachOfItsPixelsIsAPartOfACoarseOne) {
+  constexpr int kDivider = 9, kColumns = 6, kRows = 4;  // 54 x 36 of 48 x 30
+  lookFirst(LightKind::dome);
+  const auto view = known_->known({trace(kColumns, kRows, 1, kDivider), kDivider}, kFiner, threads(2));
+  ASSERT_TRUE(view);
+  const Film same = trace(kFiner * kColumns, kFiner * kRows, 1, kDivider / kFiner);
+  ASSERT_EQ(view->hits.size(), size_t{kFiner * kColumns} * (kFiner * kRows));
+  for (int y = 0; y < same.height(); ++y)
+    for (int x = 0; x < same.width(); ++x) {
+      const Film::Hit& hit = view->hits[static_cast<size_t>(y) * kFiner * kColumns + static_cast<size_t>(x)];
+      EXPECT_EQ(hit.end, same.hit(x, y).end) << x << ", " << y;
+      EXPECT_EQ(hit.pick, same.hit(x, y).pick) << x << ", " << y;
+    }
+}
+
 TEST_F(KnownViewTest, OfAWhiteFurnaceIsWhite) {
   lookFirst(LightKind::furnace);
-  const auto view = known_->known(trace(kCoarse.width, kCoarse.height, 1), kFiner, threads(2));
+  const auto view = known_->known(traceCoarse(1), kFiner, threads(2));
   ASSERT_TRUE(view);
   for (size_t i = 0; i < view->picture.light.size(); ++i) {
     EXPECT_NEAR(view->picture.light[i].r, view->picture.alpha[i], 1e-5);
@@ -118,7 +138,7 @@ TEST_F(KnownViewTest, IsNoneWhenStopped) {
   source.request_stop();
   Task task = threads(2);
   task.stop = source.get_token();
-  EXPECT_FALSE(known_->known(Film(kCoarse.width, kCoarse.height), kFiner, task));
+  EXPECT_FALSE(known_->known({Film(kCoarse.width, kCoarse.height), kFiner}, kFiner, task));
 }
 
 // One ray through a pixel of open cloth goes through it or does not; the pixels around tell how much of it is seen.
@@ -128,7 +148,8 @@ TEST(KnownView, OfAnOpenClothHasNoDots) {
   const auto medium = makeMedium(*scene, 1e9, Task{});
   Film film(kSide, kSide);
   renderUpTo(64, *scene, *medium, CameraRays(scene->fabric->camera, kSide, kSide), film, Task{});
-  const auto view = knownView(*scene, *medium, CellSums(), kSide, kSide, Task{});
+  const auto view =
+      knownView(*scene, *medium, CellSums(), CameraRays(scene->fabric->camera, kSide, kSide), kSide, kSide, Task{});
   ASSERT_TRUE(view);
   double open = 0, apart2 = 0;
   for (int y = 0; y < kSide; ++y)
