@@ -73,6 +73,12 @@ void fit(const YarnGeometry& g, SectionOutline& section, double& rest_mm) {
   section = {up, across};
 }
 
+/// Felting works fibres out of a yarn into the gaps beside it, until at 1 it touches its neighbours. It stays as high,
+/// so that its fibres lie looser.
+void spreadIntoGaps(const YarnGeometry& g, SectionOutline& section, double felting) {
+  section.across += felting * std::max(0.0, 0.5 * g.crossPitch_mm / g.radius_mm - section.across);
+}
+
 void pressSections(YarnGeometry& g, const Yarn& yarn, double press, double felting) {
   constexpr double kUsualFlattening = 1.2;  // of the yarns that the law was found for
   constexpr SectionOutline kFree = {0.92, 0.97};
@@ -87,10 +93,14 @@ void pressSections(YarnGeometry& g, const Yarn& yarn, double press, double felti
     double& rest_mm = g.rest_mm[static_cast<size_t>(state)];
     section = {yielding.section.up * closer / flatter, yielding.section.across * closer * flatter};
     rest_mm = yielding.apart * closer / flatter * g.radius_mm;
-    if (!rigid) fit(g, section, rest_mm);
+    if (rigid) continue;
+    fit(g, section, rest_mm);
+    spreadIntoGaps(g, section, felting);
   }
+  if (rigid) return;
   double unused = 0;
-  if (!rigid) fit(g, g.free = {kFree.up / flatter, kFree.across * flatter}, unused);
+  fit(g, g.free = {kFree.up / flatter, kFree.across * flatter}, unused);
+  spreadIntoGaps(g, g.free, felting);
 }
 
 Evenness evennessOf(const Yarn& yarn) {

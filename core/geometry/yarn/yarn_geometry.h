@@ -84,7 +84,7 @@ std::vector<int> geometryClasses(const Fabric& fabric);
 /// - sections are those of the law (pressing.h), wider and lower the more readily the yarn flattens. One that is too
 ///   wide for its pitch is squeezed until it touches its neighbours and grows taller, to twice as tall as wide;
 ///   beyond that (absurd setts) it overlaps them. A monofilament stays round;
-/// - felting (feltingOf(), 0..1) opens the sections at crossings again.
+/// - felting (feltingOf(), 0..1) opens the sections at crossings again, and widens all sections towards the neighbours.
 YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm, double press,
                          double felting);
 

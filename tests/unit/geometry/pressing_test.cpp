@@ -91,7 +91,8 @@ TEST(PressedYarn, FlatteningWidensAndLowers) {
   EXPECT_NEAR(flat.halfHeight_mm() * flat.halfWidth_mm(), usual.halfHeight_mm() * usual.halfWidth_mm(), 1e-9);
 }
 
-// Milling changes neither setts nor counts, so mass changes only with crimp. Sections grow as the packing falls.
+// Milling changes neither setts nor counts, so mass changes only with crimp. Sections grow as the packing falls, and
+// reach into the gaps between the yarns.
 TEST(MilledCloth, IsThickerAndCoversMoreAndWeighsWhatItsYarnsDo) {
   Fabric fabric = cloths::twill();
   fabric.ends_per_cm = fabric.picks_per_cm = 12;
@@ -100,11 +101,10 @@ TEST(MilledCloth, IsThickerAndCoversMoreAndWeighsWhatItsYarnsDo) {
   const auto straightMass = [](const ClothMeasures& of) {
     return of.arealMass_g_m2 / (2 + of.crimpWarp + of.crimpWeft);
   };
-  const auto sectionOf = [](const ClothGeometry& cloth) {
-    const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
-    return yarn.halfHeight_mm() * yarn.halfWidth_mm();
-  };
   const ClothGeometry clear(fabric, 4, 4);
+  const YarnGeometry& clearYarn = clear.yarn(System::warp, 0);
+  const double halfPitch_mm = 0.5 * 10 / 12;
+  ASSERT_LT(1.3 * clearYarn.halfWidth_mm(), halfPitch_mm) << "there are gaps, however loose the yarns";
   ClothMeasures before = clear.measure();
   for (const double milling : {0.3, 0.6, 1.0}) {
     fabric.milling = milling;
@@ -114,7 +114,13 @@ TEST(MilledCloth, IsThickerAndCoversMoreAndWeighsWhatItsYarnsDo) {
     EXPECT_GT(measures.cover, before.cover) << milling;
     EXPECT_NEAR(straightMass(measures) / straightMass(before), 1, 0.001) << milling;
     const double packing = packingAtCrossings(withFinish(fabric.yarns[0], fabric).packing, milling);
-    EXPECT_NEAR(sectionOf(milled) / sectionOf(clear), packingAtCrossings(0.4) / packing, 1e-9) << milling;
+    const double looser = std::sqrt(packingAtCrossings(0.4) / packing);
+    const YarnGeometry& yarn = milled.yarn(System::warp, 0);
+    EXPECT_NEAR(yarn.halfHeight_mm(), looser * clearYarn.halfHeight_mm(), 1e-9) << milling;
+    const double apart_mm = halfPitch_mm - looser * clearYarn.halfWidth_mm();
+    EXPECT_NEAR(halfPitch_mm - yarn.halfWidth_mm(), (1 - milling) * apart_mm, 1e-9) << milling;
+    const auto freeApart_mm = [&](const SectionOutline& free) { return halfPitch_mm - free.across * yarn.radius_mm; };
+    EXPECT_NEAR(freeApart_mm(yarn.free), (1 - milling) * freeApart_mm(clearYarn.free), 1e-9) << milling;
     before = measures;
   }
 }
