@@ -42,7 +42,6 @@ std::vector<bool> newlySeen(const Frame& fresh, const Frame& old) {
 }
 
 bool isTurned(const Weave& now, const Weave& then, int pick, int end) {
-  const auto wrap = [](int i, int n) { return (i % n + n) % n; };
   const int p = wrap(pick, now.picks()), e = wrap(end, now.ends());
   return now.at(p, e) != then.at(p, e);
 }

@@ -9,7 +9,8 @@ namespace loomlight {
 /// An earlier picture of what a new one shows: seen where that has no samples yet. A coarse one is gone from a pixel
 /// with its first sample. Of a fine one, each new sample takes the place of one of its own, so that the new picture
 /// comes as fast as it gets good: with x of n samples replaced, the variance is (1 - x)^2 / n + x / n, never more than
-/// the old picture's, and after n samples nothing of that is left.
+/// the old picture's, and after n samples nothing of that is left. One of more than kMostSamples counts as so many and
+/// is gone sooner, with a little more noise after it than before.
 ///
 /// A moved picture shows another view from where this one is: where it keeps a pixel that one counts as some samples,
 /// and the rest is coarse.
@@ -29,7 +30,7 @@ class StandIn {
   /// Whether it says more than coarse passes do: it has its detail from another view, or from light that is known.
   bool outlastsCoarse() const { return isMoved() || earlier_->shared; }
   bool isYoungView() const { return isMoved() && samples_ < kClearSamples; }  ///< a moved picture that was not clear
-  /// More would let it linger.
+  /// More would let it linger where the new picture differs from it.
   static constexpr int kMostSamples = 4 * kClearSamples;
   /// Of every pixel, after which nothing of it is left; kMostSamples at most.
   uint32_t samples() const { return samples_; }

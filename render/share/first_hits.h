@@ -18,11 +18,13 @@ namespace loomlight {
 /// what keys are made of): light and dyes may change, as long as sameLightCells().
 class FirstHits {
  public:
-  static constexpr uint32_t kMost = 16;                     ///< of a pixel, as far as kLimit_bytes goes
-  static constexpr size_t kLimit_bytes = size_t{64} << 20;  ///< that all hits take at most; large pictures keep fewer
-  static constexpr uint32_t kPast = ~0u;                    ///< past the cloth
-  static constexpr uint32_t kThrough = kPast - 1;           ///< through the cloth, between its fibres
-  static constexpr uint32_t kNew = kThrough - 1;            ///< a cell that has no number yet
+  static constexpr uint32_t kMost = 16;  ///< of a pixel, as far as kLimit_bytes goes
+  /// That all hits take: large pictures keep fewer of each pixel, but one, so that more than 16 million pixels take
+  /// more.
+  static constexpr size_t kLimit_bytes = size_t{64} << 20;
+  static constexpr uint32_t kPast = ~0u;           ///< past the cloth
+  static constexpr uint32_t kThrough = kPast - 1;  ///< through the cloth, between its fibres
+  static constexpr uint32_t kNew = kThrough - 1;   ///< a cell that has no number yet
 
   FirstHits(int width, int height);
 

@@ -6,7 +6,7 @@
 
 // How it works. Each pixel has looked at the cloth once or a few times with nothing but a first hit, and every hit fell
 // into a cell whose mean light is known from all paths that began in cells like it. The pixel shows the mean over
-// these, as far as it shows cloth; how far their cells differ is the variance that is left to be blurred.
+// these, as far as it shows cloth; how far their cells differ is told as its variance.
 
 namespace loomlight {
 

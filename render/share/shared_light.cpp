@@ -69,8 +69,9 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
   const bool sameVolume = scene->cloth->volume == scene_->cloth->volume;
   const bool sameCells =
       sameVolume && sameEvents(*scene_->cloth, *scene->cloth) && sameLightCells(*scene_->fabric, *scene->fabric);
-  // Cells of a drape that is gone are never looked for again.
-  if (!haveLikeVoxels(*scene_, *scene) || cells_->isHalfFull()) fate = {};
+  // Cells of a drape or a view that is gone are never looked for again, and take the room of others.
+  const bool isCrowded = fate.cells != SharedFate::Cells::live && cells_->isHalfFull();
+  if (!haveLikeVoxels(*scene_, *scene) || isCrowded) fate = {};
   scene_ = std::move(scene);
   medium_ = std::move(medium);
   switch (fate.cells) {

@@ -199,8 +199,9 @@ inline constexpr Word brushed{"Brushed",
                               "flannel. It takes yarns that have hairs."};
 inline constexpr Word milling{
     "Milling",
-    "How far cloth of wool is milled (fulled): its fibres work into one another, yarns swell, and their surface mats "
-    "until the weave hardly shows. 0 clear, as worsted suits are; 0.6 to 0.8 flannel, tweed and blankets; 1 loden. It "
+    "How far cloth of wool is milled (fulled): its fibres work into one another, yarns swell until they close the gaps "
+    "between them, and their surface mats until the weave hardly shows. 0 clear, as worsted suits are; 0.6 to 0.8 "
+    "flannel, tweed and blankets; 1 loden. It "
     "acts on all yarns of staple fibre. The setts are those after it."};
 inline constexpr Word mercerised{
     "Mercerised",
