@@ -8,6 +8,7 @@
 
 #include "core/base/text.h"
 #include "ui/widgets/field_row.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/modal.h"
 #include "ui/words/common_words.h"
 #include "ui/words/file_words.h"
@@ -211,7 +212,7 @@ std::optional<std::string> FileBrowser::decide(bool mayReplace) {
 
 void FileBrowser::drawName(Ui& ui, bool begin, bool& decided) {
   ImGui::SetNextItemWidth(-1);
-  if (begin) ImGui::SetKeyboardFocusHere();
+  if (begin) focusNextItem();
   const std::string before = typed_;
   // The arrows go through the list from where the name is typed.
   const auto onArrow = [](ImGuiInputTextCallbackData* data) {

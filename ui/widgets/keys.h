@@ -7,7 +7,7 @@
 namespace loomlight {
 
 // Which keys are pressed in this frame. Dear ImGui 1.87 (Debian 13) gave every key a name and took away the numbers by
-// which 1.86 (Debian 12) knows them; only this file knows of both.
+// which 1.86 (Debian 12) knows them; only here both are known.
 #if IMGUI_VERSION_NUM >= 18700
 inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
 inline ImGuiKey numberOfKey(ImGuiKey key) {
@@ -47,6 +47,9 @@ inline bool letterPressed(char letter) {
 inline bool functionKeyPressed(int n) {
   return ImGui::IsKeyPressed(numberOfFunctionKey(n), false);
 }
+
+/// The item that follows takes the keyboard.
+void focusNextItem();
 
 // What a window's backend says of the keyboard; for those that have no window.
 

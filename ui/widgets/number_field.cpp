@@ -107,7 +107,7 @@ std::string objectionTo(std::string_view text, const NumberStyle& style) {
 bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, float width) {
   FieldMemory& memory = ui.memory;
   ImGui::SetNextItemWidth(width);
-  if (memory.justOpened) ImGui::SetKeyboardFocusHere();
+  if (memory.justOpened) focusNextItem();
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is ours
   memory.typedAt = ImGui::GetFrameCount();
   const bool confirmed = ImGui::InputText("##text", &memory.text,

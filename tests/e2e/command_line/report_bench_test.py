@@ -106,7 +106,7 @@ class ReportBench(CommandLineTest):
         self.assertGreater(len(left_out), 2)
         self.assertGreater(max(off[method] for method in left_out), off["loomlight, resolution 8"])
         targets = self.table("out/accuracy_targets.csv")
-        self.assertEqual(len(targets), 9)
+        self.assertEqual(len(targets), 9 + 6)  # of the cloths above, and of those that are worn
         self.expect_verdicts(targets)
         # They are judged by what the table above them says; resolution 16 is not measured in the quick form.
         ours = {row["what"]: row["ours"] for row in targets}
@@ -114,7 +114,10 @@ class ReportBench(CommandLineTest):
         self.assertEqual(ours[dome + "8"].split()[0], rows["loomlight, resolution 8"]["dome, %"])
         self.assertEqual(ours[dome + "16"], "-")
         # Cloths as they are worn stand in tables of their own.
-        self.assertEqual([row["method"] for row in self.table("out/accuracy_real.csv")], list(rows))
+        worn = {row["method"]: row for row in self.table("out/accuracy_real.csv")}
+        self.assertEqual(list(worn), list(rows))
+        dome = ours["cloths as they are worn: dome"].split()[0]
+        self.assertEqual(dome, worn["loomlight, resolution 8"]["dome, %"])
 
     def test_closeup(self):
         self.run_program("bench", "closeup", "--quick", "-o", "out")
