@@ -4,6 +4,8 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "render/film/fixed_point.h"
 
@@ -186,6 +188,28 @@ void CellSums::fade(uint32_t mostPaths) {
     sums.wraps = static_cast<uint32_t>(squares / kWrap);
     sums.squares = static_cast<uint64_t>(squares - kWrap * sums.wraps);
     sums.paths = paths;
+  }
+}
+
+void CellSums::keep(size_t most) {
+  if (size_ <= most) return;
+  std::vector<uint32_t> paths;
+  paths.reserve(size_);
+  for (size_t i = 0; i < size_; ++i) paths.push_back(cells_[i].paths);
+  const auto tooMany = paths.begin() + static_cast<std::ptrdiff_t>(most);
+  std::nth_element(paths.begin(), tooMany, paths.end(), std::greater<>());
+  const uint32_t fewest = *tooMany;  // that is too few to stay
+  std::ranges::fill(slots_, 0u);
+  // A cell has no more paths than the one that it lies in, which stays, too, and comes before it.
+  std::vector<uint32_t> numbers(size_);
+  const size_t before = std::exchange(size_, 0);
+  for (size_t i = 0; i < before; ++i) {
+    const Cell cell = cells_[i];
+    if (cell.paths <= fewest) continue;
+    numbers[i] = static_cast<uint32_t>(size_);
+    cells_[size_] = cell;
+    cells_[size_].parent = numbers[cell.parent];
+    slots_[slotOf(cell.key)] = static_cast<uint32_t>(++size_);
   }
 }
 

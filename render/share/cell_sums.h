@@ -34,13 +34,16 @@ class CellSums {
   /// Lets the finest cells count for so many paths at most, on the average, and all others in proportion: what they
   /// know is of a picture before an edit.
   void fade(uint32_t mostPaths);
+  /// Makes room: of the cells those of most paths are left, so many at most. What the others know is also in those that
+  /// they lie in. Cells have other numbers then.
+  void keep(size_t most);
 
   size_t size() const { return size_; }
   /// That it and its CellMeans take at most, whatever comes; not above the limit. While means are made they take half
   /// as much again.
   size_t bytes() const { return bytes_; }
   bool isFull() const { return size_ == cells_.size(); }
-  bool isHalfFull() const { return 2 * size_ >= cells_.size(); }
+  size_t room() const { return cells_.size(); }  ///< for so many cells in all
 
   struct Cell {
     uint64_t key;

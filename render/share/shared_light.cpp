@@ -11,6 +11,8 @@ namespace {
 /// and of one that is like it.
 constexpr uint32_t kPriorPaths = 16, kPriorPathsOfLike = 4;
 
+constexpr double kRoomOfEarlier = 0.25;  ///< of that for all cells, what those of earlier pictures may take
+
 /// In close-ups of denim voxels of 12 pixels make a clearer picture than the film in its first seconds, and voxels of
 /// 50 pixels do not.
 constexpr float kWidestVoxel_pixels = 16;
@@ -55,10 +57,11 @@ bool SharedLight::serves(const Scene& scene, int width, int height) {
 }
 
 SharedLight::SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width,
-                         int height)
+                         int height, size_t cells_bytes)
     : scene_(std::move(scene)),
       medium_(std::move(medium)),
-      cells_(std::make_unique<CellSums>()),
+      cells_bytes_(cells_bytes),
+      cells_(std::make_unique<CellSums>(cells_bytes)),
       hits_(std::make_unique<FirstHits>(width, height)),
       deposits_(std::make_unique<CellDeposits>(*scene_, *cells_, *hits_)) {}
 
@@ -69,9 +72,7 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
   const bool sameVolume = scene->cloth->volume == scene_->cloth->volume;
   const bool sameCells =
       sameVolume && sameEvents(*scene_->cloth, *scene->cloth) && sameLightCells(*scene_->fabric, *scene->fabric);
-  // Cells of a drape or a view that is gone are never looked for again, and take the room of others.
-  const bool isCrowded = fate.cells != SharedFate::Cells::live && cells_->isHalfFull();
-  if (!haveLikeVoxels(*scene_, *scene) || isCrowded) fate = {};
+  if (!haveLikeVoxels(*scene_, *scene)) fate = {};
   scene_ = std::move(scene);
   medium_ = std::move(medium);
   switch (fate.cells) {
@@ -87,11 +88,14 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
       cells_->fade(0);
       break;
     case SharedFate::Cells::none:
-      cells_ = std::make_unique<CellSums>();
+      cells_ = std::make_unique<CellSums>(cells_bytes_);
       break;
   }
-  if (!fate.hits || !sameCells || width != hits_->width() || height != hits_->height())
+  if (!fate.hits || !sameCells || width != hits_->width() || height != hits_->height()) {
+    // Most cells of the picture before may never be looked for again, and those of the next need room.
+    cells_->keep(static_cast<size_t>(kRoomOfEarlier * static_cast<double>(cells_->room())));
     hits_ = std::make_unique<FirstHits>(width, height);
+  }
   deposits_ = std::make_unique<CellDeposits>(*scene_, *cells_, *hits_);
 }
 

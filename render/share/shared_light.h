@@ -40,7 +40,9 @@ class SharedLight {
   /// that a voxel would be seen as a block of one colour.
   static bool serves(const Scene& scene, int width, int height);
 
-  SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height);
+  /// `cells_bytes`: what the cells take at most.
+  SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height,
+              size_t cells_bytes = CellSums::kLimit_bytes);
 
   /// Goes on with the picture of another scene, with what the edit leaves of what it knows.
   void moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height,
@@ -76,6 +78,7 @@ class SharedLight {
  private:
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Medium> medium_;
+  size_t cells_bytes_;
   std::unique_ptr<CellSums> cells_;
   std::unique_ptr<FirstHits> hits_;
   std::unique_ptr<CellDeposits> deposits_;

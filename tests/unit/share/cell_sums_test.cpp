@@ -97,6 +97,35 @@ CellSums spreadCells(float between, float noise, int cells, int paths, float int
   return sums;
 }
 
+TEST(CellSums, OfManyTheBusiestStayAndNoLightIsLost) {
+  CellSums sums;
+  const auto deposit = [&sums](const LightCellPath& path, int times) {
+    for (int i = 0; i < times; ++i) sums.deposit(sums.add(path), Rgb(1, 2, 3));
+  };
+  deposit(path(1, 2), 2);
+  deposit(path(1, 3), 5);
+  deposit(path(2, 1), 9);
+  const size_t all = sums.size();
+  sums.keep(all);
+  EXPECT_EQ(sums.size(), all);
+  sums.keep(all - 1);
+  EXPECT_EQ(sums.size(), all - (kLightCellLevels - 2)) << "of the first all but what it shares with the second";
+  EXPECT_FALSE(sums.find(path(1, 2)));
+  const auto second = sums.find(path(1, 3)), third = sums.find(path(2, 1)), above = sums.nearest(path(1, 2));
+  ASSERT_TRUE(second && third && above);
+  EXPECT_EQ(sums[*second].paths, 5u);
+  EXPECT_EQ(sums[*third].paths, 9u);
+  EXPECT_EQ(sums[*above].paths, 7u);
+  EXPECT_EQ(sums[*above].sum(), glm::dvec3(7, 14, 21));
+  deposit(path(1, 2), 1);
+  EXPECT_EQ(sums[*above].paths, 8u);
+  EXPECT_EQ(sums[0].paths, 17u);
+  EXPECT_EQ(sums[*sums.find(path(1, 2))].paths, 1u);
+  sums.keep(0);
+  EXPECT_EQ(sums.size(), 0u);
+  EXPECT_FALSE(sums.nearest(path(1, 2)));
+}
+
 TEST(CellMeans, AParentIsWorthTheNoiseOverTheSpread) {
   // 400 cells of 20 paths: the variance between cells has a standard error of 7 %, that within one of 2 %.
   const CellMeans means(spreadCells(0.5f, 1.0f, 400, 20));

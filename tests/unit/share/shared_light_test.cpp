@@ -289,6 +289,20 @@ TEST(SharedLight, GoesOnAfterAnEdit) {
 }
 
 // What a place's key is made of may change without any voxel: then pixels look for their cells anew.
+// In a large window the first picture may fill the cells, and a drag begins with what it knows all the same.
+TEST(SharedLight, OfFullCellsSomeStayWhenTheViewMoves) {
+  constexpr size_t kSmall_bytes = size_t{1} << 15;
+  Picture picture(cloth(LightKind::dome));
+  picture.light = std::make_unique<SharedLight>(picture.scene, picture.medium, kWidth, kHeight, kSmall_bytes);
+  picture.trace(4, 2);
+  ASSERT_TRUE(picture.light->knows());
+  Fabric turned = *picture.scene->fabric;
+  turned.camera.azimuth_deg += 20;
+  const auto scene = test::sceneOf(turned);
+  picture.light->moveTo(scene, picture.medium, kWidth, kHeight, changes(*picture.scene->fabric, turned));
+  EXPECT_TRUE(picture.light->knows());
+}
+
 TEST(SharedLight, PixelsLookForTheirCellsWhereKeysHaveChanged) {
   Fabric before = dyed(cloth(LightKind::sky));
   before.fibres.resize(2, before.fibres[0]);
