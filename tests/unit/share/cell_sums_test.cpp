@@ -118,9 +118,11 @@ TEST(CellSums, OfManyTheBusiestStayAndNoLightIsLost) {
   EXPECT_EQ(sums[*above].paths, 7u);
   EXPECT_EQ(sums[*above].sum(), glm::dvec3(7, 14, 21));
   deposit(path(1, 2), 1);
+  deposit(path(2, 1), 1);
   EXPECT_EQ(sums[*above].paths, 8u);
-  EXPECT_EQ(sums[0].paths, 17u);
   EXPECT_EQ(sums[*sums.find(path(1, 2))].paths, 1u);
+  EXPECT_EQ(sums[*sums.nearest(path(2, 7))].paths, 10u);
+  EXPECT_EQ(sums[0].paths, 18u);
   sums.keep(0);
   EXPECT_EQ(sums.size(), 0u);
   EXPECT_FALSE(sums.nearest(path(1, 2)));
