@@ -110,6 +110,11 @@ CellSums::CellSums(size_t limit_bytes) {
   bytes_ = slots * sizeof(uint32_t) + cells_.size() * kPerCell;
 }
 
+size_t CellSums::roomFor(int level) const {
+  constexpr size_t kParts = 10;  // each level has one less than the one before, the finest of five has six
+  return room() - static_cast<size_t>(level) * room() / kParts;
+}
+
 /// Where the key is, or would be.
 size_t CellSums::slotOf(uint64_t key) const {
   const size_t mask = slots_.size() - 1;
@@ -136,7 +141,7 @@ std::optional<uint32_t> CellSums::nearest(const LightCellPath& path) const {
 std::optional<uint32_t> CellSums::make(uint64_t key, uint32_t parent) {
   const size_t slot = slotOf(key);
   if (slots_[slot] != 0) return slots_[slot] - 1;
-  if (isFull()) return std::nullopt;
+  if (size_ >= roomFor(static_cast<int>(key & kLightCellLevelMask))) return std::nullopt;
   const auto cell = static_cast<uint32_t>(size_++);
   cells_[cell] = {key, {0, 0, 0}, 0, 0, 0, size_ == 1 ? cell : parent};
   slots_[slot] = cell + 1;

@@ -16,7 +16,8 @@ namespace loomlight {
 /// every cell and in all that it lies in. The sums are integers, so they do not depend on the order of what is added.
 /// Memory is taken from a fixed limit: where there is no room for a cell, its light is in the next coarser one alone,
 /// which depends on the order of new cells, so they come in an order of their own: tile by tile, never as threads
-/// finish.
+/// finish. The finer a level is, the less of the room it may fill, so that a cloth of many voxels still finds cells for
+/// the ways that it lies.
 class CellSums {
  public:
   static constexpr size_t kLimit_bytes = size_t{64} << 20;
@@ -42,8 +43,9 @@ class CellSums {
   /// That it and its CellMeans take at most, whatever comes; not above the limit. While means are made they take half
   /// as much again.
   size_t bytes() const { return bytes_; }
-  bool isFull() const { return size_ == cells_.size(); }
   size_t room() const { return cells_.size(); }  ///< for so many cells in all
+  /// While there are fewer, cells of this level may be added.
+  size_t roomFor(int level) const;
 
   struct Cell {
     uint64_t key;

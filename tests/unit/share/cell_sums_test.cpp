@@ -60,10 +60,12 @@ TEST(CellSums, NeverTakesMoreThanItsLimitAndLosesNoLight) {
     EXPECT_LE(sums.bytes(), limit);
     constexpr uint32_t kPaths = 20'000;
     for (uint32_t i = 0; i < kPaths; ++i) sums.deposit(sums.add(path(i % 7, i)), Rgb(1));
-    EXPECT_TRUE(sums.isFull());
+    EXPECT_EQ(sums.size(), sums.roomFor(2)) << "each path has a cell of its own at that level";
     EXPECT_LE(sums.size() * (sizeof(CellSums::Cell) + sizeof(CellMeans::Mean)), limit);
     EXPECT_EQ(sums[0].paths, kPaths);
     EXPECT_EQ(sums[0].sum(), glm::dvec3(kPaths));
+    EXPECT_EQ(sums[sums.add(path(100))].level(), 1) << "a way to lie that is new has room all the same";
+    EXPECT_LT(sums.roomFor(1), sums.room());
   }
 }
 
