@@ -132,6 +132,11 @@ std::optional<uint32_t> CellSums::find(const LightCellPath& path) const {
   return find(path.finest());
 }
 
+bool CellSums::knows(uint64_t key) const {
+  const auto cell = find(key);
+  return cell && cells_[*cell].paths > 0;
+}
+
 std::optional<uint32_t> CellSums::nearest(const LightCellPath& path) const {
   for (auto key = path.keys.rbegin(); key != path.keys.rend(); ++key)
     if (const auto cell = find(*key)) return cell;

@@ -26,6 +26,8 @@ class CellSums {
 
   /// The finest cell, where it is known. Safe from many threads while nothing is added.
   std::optional<uint32_t> find(const LightCellPath& path) const;
+  /// Whether light is known of the cell of this key.
+  bool knows(uint64_t key) const;
   /// The finest of the cells that is known; none where no light is known at all.
   std::optional<uint32_t> nearest(const LightCellPath& path) const;
   /// Makes the cells that are not there yet; returns the finest that there is room for.

@@ -19,10 +19,11 @@ bool FirstFibres::isThrough(size_t i) const {
   return goesThrough(scene_, tracer_.ray(i));
 }
 
-LightCellPath FirstFibres::cellsOf(const PixelSample& sample, const Collision& at) {
+LightCellPath FirstFibres::cellsOf(const PixelSample& sample, const Collision& at, const CellSums& known) {
   Random random(hashCombine(hashCombine(scene_.sampling.seed, sample.x), sample.y), sample.index);
   const float jx = random.uniform(), jy = random.uniform();
-  return keys_.of(at, glm::vec2(jx, jy) - 0.5f);
+  const LightCellPath near = keys_.of(at, glm::vec2(jx, jy) - 0.5f);
+  return known.knows(near.keys[kLieLevel]) ? near : keys_.of(at);
 }
 
 bool goesThrough(const Scene& scene, const Ray& ray) {

@@ -6,6 +6,7 @@
 #include "render/media/medium.h"
 #include "render/scene/camera_rays.h"
 #include "render/scene/scene.h"
+#include "render/share/cell_sums.h"
 #include "render/share/light_cell_key.h"
 #include "render/transport/path_tracer.h"
 
@@ -25,8 +26,9 @@ class FirstFibres {
   /// Whether a path that met none went through the cloth, between its fibres, and not past it.
   bool isThrough(size_t i) const;
 
-  /// Of a fibre that the sample has met. Keys are of a place near it, by chance: so borders of cells do not show.
-  LightCellPath cellsOf(const PixelSample& sample, const Collision& at);
+  /// Of a fibre that the sample has met. Keys are of a place near it, by chance, so that borders of cells do not show;
+  /// but of its own where no light is known of cloth that lies as it does there.
+  LightCellPath cellsOf(const PixelSample& sample, const Collision& at, const CellSums& known);
 
  private:
   class End final : public PathSink {

@@ -38,7 +38,7 @@ void lookUp(std::span<const PixelSample> samples, FirstFibres& fibres, const Cel
       strip.hits.push_back({sample.x, sample.y, FirstHits::missed(fibres.isThrough(i))});
       continue;
     }
-    const LightCellPath path = fibres.cellsOf(sample, *fibre);
+    const LightCellPath path = fibres.cellsOf(sample, *fibre, cells);
     const auto cell = cells.find(path);
     strip.hits.push_back({sample.x, sample.y, cell.value_or(FirstHits::kNew)});
     if (!cell) strip.fresh.push_back(path);

@@ -38,7 +38,7 @@ std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, con
         continue;
       }
       hits[pixel] = {fibre->yarn, fibre->end, fibre->pick, fibre->distance_mm};
-      const auto cell = cells.nearest(fibres.cellsOf(sample, *fibre));
+      const auto cell = cells.nearest(fibres.cellsOf(sample, *fibre, cells));
       seen.meets(pixel, cell ? means[*cell] : CellMeans::Mean{});
     }
   });

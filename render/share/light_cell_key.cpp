@@ -8,27 +8,33 @@
 
 // How it works. A key is a hash that grows from level to level: yarn, fibre and the side seen; then edges near by and
 // how the cloth lies; then the crossings around and a block of voxels; then the voxel. The key as it stands at each
-// level names the cell of that level, so a cell's parent is known without a search. Directions are cut into bins on a
-// cube, with a jitter that blurs the borders between bins.
+// level names the cell of that level, so a cell's parent is known without a search. How the cloth lies is cut into
+// steps, with a jitter that blurs the borders between them; from where it is seen follows from that, as near as a
+// picture's own directions are to one another.
 
 namespace loomlight {
 namespace {
 
-/// Which axis a direction is nearest to, and from which side: 0..5.
-uint32_t sideOf(glm::vec3 d) {
-  const glm::vec3 a = glm::abs(d);
-  const int axis = a.z >= a.x && a.z >= a.y ? 2 : a.y >= a.x ? 1 : 0;
-  return static_cast<uint32_t>(2 * axis + (d[axis] < 0 ? 1 : 0));
+/// In steps about whole numbers, not between them: most drapes have normals without any part along one axis, and jitter
+/// would take half of these to a step that no path comes from.
+int stepOf(float x, float jitter) {
+  return static_cast<int>(std::floor(x + 0.5f + jitter));
 }
 
-/// A unit vector in steps of 1 / `steps` along each axis of the cube that it goes through.
-uint64_t directionBin(glm::vec3 d, float steps, glm::vec2 jitter) {
-  const uint32_t side = sideOf(d);
-  const int axis = static_cast<int>(side / 2);
-  const float scale = steps / std::max(1e-6f, std::abs(d[axis]));
-  const glm::vec2 across(d[(axis + 1) % 3], d[(axis + 2) % 3]);
-  const glm::ivec2 bin(glm::floor(across * scale + jitter));
-  return hashCombine(hashCombine(mixBits(side), bin.x), bin.y);
+/// How a sheet lies whose normal is n, and which way its u runs: rotated from lying flat by the shortest way, and then
+/// about its normal. In steps of some 14 degrees of the normal (an equal-area map of the sphere, whose only tear is
+/// where it points straight down) and twice as much of the other.
+uint64_t lieBin(glm::vec3 u, glm::vec3 n, glm::vec2 jitter) {
+  constexpr float kSteps = 4, kTurnSteps = 2;  // per radian
+  const float up = std::max(1e-6f, 1 + n.z);
+  const glm::vec2 map = glm::vec2(n) * std::sqrt(2 / up);  // of Lambert, as long as the chord
+  // The x and y axes, rotated like z to n.
+  const glm::vec3 x(1 - n.x * n.x / up, -n.x * n.y / up, -n.x), y(-n.x * n.y / up, 1 - n.y * n.y / up, -n.y);
+  const float turn = std::atan2(glm::dot(u, y), glm::dot(u, x));
+  const float third = glm::fract(jitter.x + jitter.y + 0.5f) - 0.5f;  // as even as either, and independent of it
+  return hashCombine(
+      hashCombine(mixBits(static_cast<uint64_t>(stepOf(kSteps * map.x, jitter.x))), stepOf(kSteps * map.y, jitter.y)),
+      stepOf(kTurnSteps * turn, third));
 }
 
 /// The eye carries this lamp, so that places in one voxel of a repeat do not look alike.
@@ -82,15 +88,12 @@ LightCellPath LightCellKeys::of(const Collision& first, glm::vec2 jitter) {
     around_ = crossingsAround(pick_, end_);
   }
 
-  glm::vec3 toEye = -first.incoming;
+  glm::vec3 n(0, 0, 1);
   uint64_t lie = 0;
   if (!shell.isFlat()) {
-    constexpr float kSteps = 4;
     const glm::mat3 frame = shell.frame(first.place.tet, first.place.world);
-    const glm::vec3 u = glm::normalize(frame[0]), v = glm::normalize(frame[1]);
-    const glm::vec3 n = glm::normalize(glm::cross(frame[0], frame[1]));  // an explicit fibre has a normal of its own
-    toEye = {glm::dot(toEye, u), glm::dot(toEye, v), glm::dot(toEye, n)};
-    lie = hashCombine(directionBin(n, kSteps, jitter), sideOf(u));
+    n = glm::normalize(glm::cross(frame[0], frame[1]));  // an explicit fibre has a normal of its own
+    lie = lieBin(glm::normalize(frame[0]), n, jitter);
   }
   if (lightIsNear_) {
     constexpr float kPatch_mm = 4;
@@ -103,7 +106,7 @@ LightCellPath LightCellKeys::of(const Collision& first, glm::vec2 jitter) {
   const auto level = [&](uint64_t i) { path.keys[i] = (key & ~kLightCellLevelMask) | i; };
   level(0);
   key = hashCombine(hashCombine(hashCombine(key, static_cast<int>(first.yarnId.system)), first.yarn), first.material);
-  key = hashCombine(key, sideOf(toEye));
+  key = hashCombine(key, glm::dot(first.incoming, n) > 0 ? 1 : 0);  // the back is seen
   if (first.optics.shadeVariation > 0) key = hashCombine(key, shadeClass(first.yarnId.system, first.yarnId.index));
   level(1);
   key = hashCombine(hashCombine(key, edges(first.pick, first.end)), lie);

@@ -18,6 +18,7 @@ struct LightCellPath {
   uint64_t finest() const { return keys.back(); }
 };
 inline constexpr uint64_t kLightCellLevelMask = 7;
+inline constexpr size_t kLieLevel = 2;  ///< the one from which on cells are of cloth that lies alike
 
 /// Whether every place of a volume is in the same cells for both fabrics, whatever their light and dyes.
 bool sameLightCells(const Fabric& before, const Fabric& after);
@@ -27,10 +28,9 @@ bool sameLightCells(const Fabric& before, const Fabric& after);
 ///
 /// Places in one cell agree in:
 /// - level 0: nothing
-/// - level 1: warp or weft, yarn, material, how deeply the thread is dyed, the side of the cloth frame that the eye is
-///   on (6)
-/// - level 2: the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees; under the
-///   headlight, where it lies, in patches of 4 mm
+/// - level 1: warp or weft, yarn, material, how deeply the thread is dyed, whether the face or the back is seen
+/// - level 2: the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees, and which way
+///   its ends run; under the headlight, where it lies, in patches of 4 mm
 /// - level 3: which side the yarns cross on here and around (3 x 3), which yarns they are, block of 4 x 4 x 4 voxels
 /// - level 4: voxel
 ///
