@@ -20,17 +20,6 @@
 namespace loomlight {
 namespace {
 
-int coarser(int pixels, int divider) {
-  return (pixels + divider - 1) / divider;
-}
-
-/// The pixels of a coarse film that cover the window.
-PixelRect covering(const PixelRect& window, int divider) {
-  const int left = window.x / divider, top = window.y / divider;
-  return {left, top, coarser(window.x + window.width, divider) - left,
-          coarser(window.y + window.height, divider) - top};
-}
-
 /// The side of a bucket, in pixels: whole tiles of the film, each of which one thread records, and so many that it
 /// takes no longer than a pass may; but not so few that lanes run empty.
 int bucketSide(double pixelsInBudget, int divider) {
@@ -125,7 +114,7 @@ Refinement::Pass Refinement::beginPass() const {
   PassPlan plan = nextPass(history_, samplesWanted());
   if (fading())
     plan.samples = std::min(plan.samples, history_.samples + std::max(1u, standIn_->samples() / kFadeSteps));
-  const PixelRect all = covering(window_, plan.divider);
+  const PixelRect all = coarser(window_, plan.divider);
   if (shared_ && plan.divider == 1 && history_.samples < SharedLight::kEnough)
     plan.samples = std::min(plan.samples, history_.samples + SharedLight::samplesAtOnce(all.width, all.height));
   const uint32_t more = plan.divider == 1 ? plan.samples - history_.samples : 1;
@@ -418,7 +407,7 @@ glm::vec4 Refinement::faded(const glm::vec4& own, int x, int y, const LightChang
 
 /// The window as it has been traced so far, with what stands in for it.
 Frame Refinement::traced(const Film& film, int divider) const {
-  const PixelRect pixels = covering(window_, divider);
+  const PixelRect pixels = coarser(window_, divider);
   // Later passes and those that fade in change too little for borders to be seen.
   const bool first = history_.samples == 0 && pass_ && pass_->plan.divider == divider && standIn_ &&
                      (standIn_->samples() == 1 || standIn_->isMoved());
@@ -426,9 +415,7 @@ Frame Refinement::traced(const Film& film, int divider) const {
   frame.divider = divider;
   frame.width = pixels.width;
   frame.height = pixels.height;
-  const glm::ivec2 corner = divider * glm::ivec2(pixels.x, pixels.y), size(fine_.width(), fine_.height());
-  const glm::ivec2 within = glm::min(divider * glm::ivec2(pixels.width, pixels.height), size - corner);
-  frame.window = {corner.x, corner.y, within.x, within.y};
+  frame.window = within(finer(pixels, divider), fine_.width(), fine_.height());
   frame.rgba.resize(static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height));
   if (!options_.asTraced) frame.hits.resize(frame.rgba.size());
   if (standIn_ && !standIn_->frame().helped.empty()) frame.helped.resize(frame.rgba.size());

@@ -21,12 +21,6 @@ namespace {
 /// For the paths of one picture that recolouring needs: some 45 bytes a sample under a dome, 170 under sun and sky.
 constexpr size_t kPathBytes = size_t{256} << 20;
 
-PixelRect within(const PixelRect& rect, int width, int height) {
-  const int left = std::clamp(rect.x, 0, width), top = std::clamp(rect.y, 0, height);
-  return {left, top, std::clamp(rect.x + rect.width, left, width) - left,
-          std::clamp(rect.y + rect.height, top, height) - top};
-}
-
 }  // namespace
 
 Tracer::Tracer(std::function<void()> wake, int threads)

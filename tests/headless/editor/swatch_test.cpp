@@ -74,11 +74,11 @@ TEST(SwatchOnTheCloth, DyesTheYarnUnderTheMouse) {
   const ImVec2 middle = editor.centre("viewport");
   // Along a line over the cloth both yarns are met; in the midst of one, as edges move while the picture refines.
   const auto findYarn = [&](const std::string& yarn) {
-    constexpr int kStep = 2, kWide = 4;
+    constexpr int kStep = 2, kHalfWide = 2;
     for (int i = 0, found = 0; i < 150; ++i) {
       editor.clickAt(ImVec2(middle.x + static_cast<float>(kStep * i), middle.y));
       found = editor.fact("yarn") == yarn ? found + 1 : 0;
-      if (found == kWide) return ImVec2(middle.x + static_cast<float>(kStep * (i - kWide / 2)), middle.y);
+      if (found == 2 * kHalfWide) return ImVec2(middle.x + static_cast<float>(kStep * (i - kHalfWide)), middle.y);
     }
     ADD_FAILURE() << "no yarn " << yarn;
     return middle;

@@ -154,7 +154,7 @@ TEST(CellSums, SquaresOfBrightLightAddUpBeyondAnyWord) {
   EXPECT_EQ(sums[cell].sumOfSquares(), kPaths * 0x1p32);
   sums.fade(kPaths / 4);
   EXPECT_EQ(sums[cell].paths, kPaths / 4u);
-  EXPECT_EQ(sums[cell].sumOfSquares(), kPaths / 4 * 0x1p32);
+  EXPECT_EQ(sums[cell].sumOfSquares(), 0.25 * kPaths * 0x1p32);
 }
 
 // Beside white yarns on both sides of the cloth, all alike and well known, the first few paths from a red one.

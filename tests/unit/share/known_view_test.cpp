@@ -154,7 +154,7 @@ TEST(KnownView, OfAnOpenClothHasNoDots) {
   double open = 0, apart2 = 0;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const float alpha = view->picture.alpha[static_cast<size_t>(y * kSide + x)];
+      const float alpha = view->picture.alpha[static_cast<size_t>(y) * kSide + static_cast<size_t>(x)];
       open += (1.0 - film.alpha(x, y)) / (kSide * kSide);
       apart2 += std::pow(alpha - film.alpha(x, y), 2) / (kSide * kSide);
     }
