@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/base/hash.h"
+#include "core/base/modulo.h"
+#include "core/base/units.h"
 #include "render/scene/thread_shade.h"
 
 // How it works. A key is a hash that grows from level to level: yarn, fibre and the side seen; then edges near by and
@@ -25,16 +27,17 @@ int stepOf(float x, float jitter) {
 /// about its normal. In steps of some 14 degrees of the normal (an equal-area map of the sphere, whose only tear is
 /// where it points straight down) and twice as much of the other.
 uint64_t lieBin(glm::vec3 u, glm::vec3 n, glm::vec2 jitter) {
-  constexpr float kSteps = 4, kTurnSteps = 2;  // per radian
+  constexpr float kSteps = 4;     // per radian
+  constexpr int kTurnSteps = 12;  // all around
   const float up = std::max(1e-6f, 1 + n.z);
   const glm::vec2 map = glm::vec2(n) * std::sqrt(2 / up);  // of Lambert, as long as the chord
   // The x and y axes, rotated like z to n.
   const glm::vec3 x(1 - n.x * n.x / up, -n.x * n.y / up, -n.x), y(-n.x * n.y / up, 1 - n.y * n.y / up, -n.y);
-  const float turn = std::atan2(glm::dot(u, y), glm::dot(u, x));
+  const float turn = std::atan2(glm::dot(u, y), glm::dot(u, x)) / static_cast<float>(2 * kPi);
   const float third = glm::fract(jitter.x + jitter.y + 0.5f) - 0.5f;  // as even as either, and independent of it
   return hashCombine(
       hashCombine(mixBits(static_cast<uint64_t>(stepOf(kSteps * map.x, jitter.x))), stepOf(kSteps * map.y, jitter.y)),
-      stepOf(kTurnSteps * turn, third));
+      wrap(stepOf(kTurnSteps * turn, third), kTurnSteps));
 }
 
 /// The eye carries this lamp, so that places in one voxel of a repeat do not look alike.
