@@ -187,8 +187,7 @@ inline constexpr Word crowding{
     "How far threads that float side by side draw together, away from the neighbour that a crossing thread parts them "
     "from. It closes up the pairs of an oxford or a hopsack, makes twill lines plainer, and does nothing to plain "
     "weave. With it ribs crimp more nearly as relaxed yarns do. 0 evenly apart; 1 as far as relaxed yarns go, where "
-    "there "
-    "is room. A large pattern takes much longer to prepare with it."};
+    "there is room. A large pattern takes much longer to prepare with it."};
 inline constexpr Word press{"Pressing",
                             "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and "
                             "flat, no hair standing."};
@@ -201,8 +200,7 @@ inline constexpr Word milling{
     "Milling",
     "How far cloth of wool is milled (fulled): its fibres work into one another, yarns swell until they close the gaps "
     "between them, and their surface mats until the weave hardly shows. 0 clear, as worsted suits are; 0.6 to 0.8 "
-    "flannel, tweed and blankets; 1 loden. It "
-    "acts on all yarns of staple fibre. The setts are those after it."};
+    "flannel, tweed and blankets; 1 loden. It acts on all yarns of staple fibre. The setts are those after it."};
 inline constexpr Word mercerised{
     "Mercerised",
     "Cotton is swollen in lye: its fibres become round and smooth, and lustrous. It acts on "
