@@ -3,8 +3,11 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
+import time
 import unittest
+from pathlib import Path
 
 from harness import HANGS_S, ROOT, CommandLineTest, main
 
@@ -108,6 +111,13 @@ class SmallTree(CommandLineTest):
         file.write_text("#!/bin/bash\n" + script + "\n")
         file.chmod(0o755)
 
+    def df_says(self, *free_mb):
+        """What its calls say, one after the other, and the last one from then on."""
+        (self.folder / "free").write_text("".join(f"{mb}\n" for mb in free_mb))
+        self.tool("df", 'mb=$(head -n 1 free); (($(wc -l <free) == 1)) || sed -i 1d free\n'
+                        'if [[ $* == *--output=avail* ]]; then printf "Avail\\n%5sM\\n" $mb\n'
+                        'else printf "Filesystem 1M-blocks Used Available\\nour disk 9999 0 $mb\\n"; fi')
+
     def run_script(self, *words, **environment):
         plain = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
         return subprocess.run(
@@ -147,13 +157,6 @@ class AppRun(SmallTree):
         done = self.app_run()
         self.assertRegex(done.stdout, r"^called with: render .*/samples/cloths/denim_raw.json -o denim.png")
         self.assertIn("no display", done.stderr)
-
-    def df_says(self, *free_mb):
-        """What its calls say, one after the other, and the last one from then on."""
-        (self.folder / "free").write_text("".join(f"{mb}\n" for mb in free_mb))
-        self.tool("df", 'mb=$(head -n 1 free); (($(wc -l <free) == 1)) || sed -i 1d free\n'
-                        'if [[ $* == *--output=avail* ]]; then printf "Avail\\n%5sM\\n" $mb\n'
-                        'else printf "Filesystem 1M-blocks Used Available\\nour disk 9999 0 $mb\\n"; fi')
 
     def test_a_disk_that_is_too_small_is_known_before_building(self):
         self.df_says(100)
@@ -252,10 +255,9 @@ class TestsRun(SmallTree):
                 self.assertNotIn("passed", done.stderr)
 
 
-class Rooms(SmallTree):
-    """The scripts that take root: what cannot be tried here ends with 77, and what fails with something else."""
-
-    SCRIPTS = ("clean_room", "package_room", "farm")
+class RoomScripts(SmallTree):
+    ROOMS = ("clean_room", "package_room", "arm_room")
+    SCRIPTS = (*ROOMS, "farm")
 
     def setUp(self):
         super().setUp()
@@ -264,6 +266,19 @@ class Rooms(SmallTree):
         for name in ("room", "package_room", "farm"):
             (self.folder / f"tests/{name}_packages.txt").write_text("absent\n")
         self.folder.chmod(0o755)
+
+
+class Rooms(RoomScripts):
+    """The scripts that take root: what cannot be tried here ends with 77, and what fails with something else."""
+
+    def test_a_word_that_none_of_them_knows_is_named(self):
+        for name in self.SCRIPTS:
+            for words in (("sid",), ("--fast",)):
+                with self.subTest(script=name, words=words):
+                    done = self.run_script(f"tests/{name}", *words)
+                    self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                    (line,) = done.stderr.splitlines()
+                    self.assertRegex(line, f'^loomlight: usage: tests/{name} .*"{words[0]}" is none of these$')
 
     def test_without_root_a_line_says_that_it_takes_root(self):
         nobody = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
@@ -275,7 +290,20 @@ class Rooms(SmallTree):
                 (line,) = done.stderr.splitlines()
                 self.assertRegex(line, "takes? root.*: run this as root, or with sudo$")
 
-    @unittest.skipIf(os.geteuid() != 0, "without root they do not come so far")
+
+@unittest.skipIf(os.geteuid() != 0, "without root they do not come so far")
+class RoomsOfRoot(RoomScripts):
+    """As far as root comes where packages, namespaces or the disk stand in the way, and where it stops them."""
+
+    def test_a_system_without_namespaces_cannot_have_rooms(self):
+        self.tool("unshare", "exit 1")
+        for name in self.ROOMS:
+            with self.subTest(script=name):
+                done = self.run_script(f"tests/{name}")
+                self.assertEqual((done.returncode, done.stdout), (77, ""), done.stderr)
+                (line,) = done.stderr.splitlines()
+                self.assertRegex(line, "^loomlight: a clean room takes namespaces of its own, and this system .* not let")
+
     def test_packages_that_cannot_be_installed_are_a_failure(self):
         for name, script in (("unshare", "exit 0"), ("dpkg-query", "exit 1"), ("apt-get", "exit 100")):
             self.tool(name, script)
@@ -284,6 +312,45 @@ class Rooms(SmallTree):
                 done = self.run_script(f"tests/{name}")
                 self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
                 self.assertIn("the packages could not be installed", done.stderr)
+
+    def test_a_disk_without_space_for_a_room_is_named(self):
+        self.tool("unshare", "exit 0")
+        self.df_says(100)
+        for name in self.ROOMS:
+            with self.subTest(script=name):
+                done = self.run_script(f"tests/{name}", TMPDIR=str(self.folder))
+                self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+                (line,) = done.stderr.splitlines()
+                self.assertRegex(line, "^loomlight: not enough space on the disk of .* a clean room takes about .* 100 MB are free$")
+
+    def process_in(self, rooms):
+        """Of the first room there, as soon as it has said it."""
+        for _ in range(int(HANGS_S / 0.05)):
+            said = "".join(file.read_text() for file in rooms.glob("*/process"))
+            if said.endswith("\n"):
+                return int(said)
+            time.sleep(0.05)
+        self.fail("no room was begun")
+
+    def test_a_room_is_gone_when_it_is_stopped(self):
+        rooms = self.folder / "rooms"
+        # The room's folder is its last word. It has begun when it says its process.
+        self.tool("unshare", 'for room; do :; done\n[[ $room != true ]] || exit 0\n'
+                             'mkdir "$room"; echo $$ >"$room/process"; exec sleep 1000')
+        self.df_says(100000)
+        for stop, status in ((signal.SIGTERM, 143), (signal.SIGINT, 130), (signal.SIGHUP, 143)):
+            for name in self.ROOMS:
+                with self.subTest(script=name, stop=stop.name):
+                    rooms.mkdir()
+                    script = subprocess.Popen(
+                        [f"tests/{name}"], cwd=self.folder, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                        env={**os.environ, "PATH": f"{self.folder}/tools:{os.environ['PATH']}", "TMPDIR": str(rooms)})
+                    process = self.process_in(rooms)
+                    script.send_signal(stop)
+                    _, said = script.communicate(timeout=HANGS_S)
+                    self.assertEqual((script.returncode, said), (status, ""))
+                    self.assertFalse(Path(f"/proc/{process}").exists(), "what ran there goes on")
+                    rooms.rmdir()  # fails where anything is left
 
 
 main()
