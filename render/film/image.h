@@ -33,15 +33,15 @@ struct PictureExtent {
 };
 
 /// Throw InputError, naming the file and what is wrong with it. Writers write a temporary file beside the target and
-/// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused. `dpi`:
-/// pixels per inch, which is how large it is on paper; 0 where it has no size of its own. An EXR with channels R, G and
-/// B says that they are of Rec. 709, white D65.
+/// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused. An EXR
+/// with channels R, G and B says that they are of Rec. 709, white D65.
 Image readExr(const std::string& file);
 /// Only how large it says it is.
 PictureExtent readExrExtent(const std::string& file);
 /// Only its metadata.
 std::map<std::string, std::string> readExrTexts(const std::string& file);
 PictureExtent readPngExtent(const std::string& file);
+/// `dpi`: pixels per inch, which is how large it is on paper; 0 where it has no size of its own.
 void writeExr(const std::string& file, const Image& image, double dpi = 0);
 
 /// 8-bit RGB or RGBA, sRGB-encoded by the caller.
@@ -53,8 +53,15 @@ struct Pixels8 {
 inline uint8_t byteOf(float channel) {
   return static_cast<uint8_t>(std::lround(255 * std::clamp(channel, 0.0f, 1.0f)));
 }
+/// How many pixels an inch has, across and down, which is how large a picture is on paper; 0 where it has no size of
+/// its own. The two differ where a tile of cloth is a whole number of pixels both ways.
+struct PixelDensity {
+  PixelDensity(double dpi = 0) : across_dpi(dpi), down_dpi(dpi) {}
+  PixelDensity(double across, double down) : across_dpi(across), down_dpi(down) {}
+  double across_dpi, down_dpi;
+};
 void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text = {},
-              double dpi = 0);
+              PixelDensity density = {});
 /// `texts`: if wanted, those in it that writePng() can write: UTF-8, not compressed.
 Pixels8 readPng(const std::string& file, std::map<std::string, std::string>* texts = nullptr);
 
@@ -63,6 +70,6 @@ struct Pixels16 {
   int width = 0, height = 0, channels = 1;
   std::vector<uint16_t> values;
 };
-void writePng(const std::string& file, const Pixels16& pixels, double dpi = 0);
+void writePng(const std::string& file, const Pixels16& pixels, PixelDensity density = {});
 
 }  // namespace loomlight

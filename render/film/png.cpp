@@ -158,7 +158,7 @@ bool breaksOff(std::string_view bytes) {
 struct Form {
   int width = 0, height = 0, channels = 0, bits = 8;
   bool isColour = true;  ///< sRGB; else plain numbers
-  double dpi = 0;
+  PixelDensity density;
 };
 
 /// They point into `text`. Throws InputError.
@@ -217,10 +217,12 @@ void write(const std::string& file, const Form& form, const uint8_t* rows,
     if (form.isColour)
       png_set_iCCP(png, info, "sRGB", PNG_COMPRESSION_TYPE_BASE, reinterpret_cast<png_const_bytep>(profile.data()),
                    static_cast<png_uint_32>(profile.size()));
-    if (form.dpi > 0) {
-      constexpr double kInchesPerMetre = 1 / 0.0254;
-      const auto perMetre = static_cast<png_uint_32>(std::lround(std::clamp(form.dpi * kInchesPerMetre, 1.0, 1e9)));
-      png_set_pHYs(png, info, perMetre, perMetre, PNG_RESOLUTION_METER);
+    if (form.density.across_dpi > 0) {
+      const auto perMetre = [](double dpi) {
+        constexpr double kInchesPerMetre = 1 / 0.0254;
+        return static_cast<png_uint_32>(std::lround(std::clamp(dpi * kInchesPerMetre, 1.0, 1e9)));
+      };
+      png_set_pHYs(png, info, perMetre(form.density.across_dpi), perMetre(form.density.down_dpi), PNG_RESOLUTION_METER);
     }
     if (!texts.empty()) png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(png, info);
@@ -237,14 +239,14 @@ void write(const std::string& file, const Form& form, const uint8_t* rows,
 }  // namespace
 
 void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text,
-              double dpi) {
+              PixelDensity density) {
   assert(pixels.channels == 3 || pixels.channels == 4);
-  write(file, {pixels.width, pixels.height, pixels.channels, 8, true, dpi}, pixels.bytes.data(), text);
+  write(file, {pixels.width, pixels.height, pixels.channels, 8, true, density}, pixels.bytes.data(), text);
 }
 
-void writePng(const std::string& file, const Pixels16& pixels, double dpi) {
+void writePng(const std::string& file, const Pixels16& pixels, PixelDensity density) {
   assert(pixels.channels == 1 || pixels.channels == 3);
-  write(file, {pixels.width, pixels.height, pixels.channels, 16, false, dpi},
+  write(file, {pixels.width, pixels.height, pixels.channels, 16, false, density},
         reinterpret_cast<const uint8_t*>(pixels.values.data()), {});
 }
 

@@ -6,8 +6,8 @@
 
 namespace loomlight {
 
-// Which keys are pressed in this frame. Dear ImGui 1.87 (Debian 13) gave every key a name and took away the numbers by
-// which 1.86 (Debian 12) knows them; only here both are known.
+// Which keys are pressed in this frame. Dear ImGui 1.87 gave every key a name and took away the numbers by which 1.86
+// (Debian 12) knows them. Panels and tests ask this file alone, so that they need not know which of the two it is.
 #if IMGUI_VERSION_NUM >= 18700
 inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
 inline ImGuiKey numberOfKey(ImGuiKey key) {

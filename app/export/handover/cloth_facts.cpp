@@ -33,6 +33,7 @@ constexpr std::pair<std::string_view, std::string_view> kFibres[] = {
     {"yak", "Yack"},
     {"virgin wool", "Virgin Wool"},
     {"wool", "Wool"},
+    {"lambswool", "Wool"},
     {"merino", "Wool"},
     {"cheviot", "Wool"},
     {"wild silk", "Wild Silk"},

@@ -14,7 +14,7 @@ namespace {
 class TextureWriter {
  public:
   TextureWriter(FileSet& set, const DigitalCloth& cloth, const DigitalSide& side, const Task& task)
-      : set_(set), dpi_(cloth.dpiX()), tile_(side.maps.tile), task_(task) {
+      : set_(set), density_(cloth.dpiX(), cloth.dpiY()), tile_(side.maps.tile), task_(task) {
     for (size_t i = 0; i < tile_.opacity.size(); ++i) pixels_.push_back(sidePixel(side, i));
   }
 
@@ -29,7 +29,7 @@ class TextureWriter {
       const Rgb shown = srgbFromLinear(value(pixel));
       for (int c = 0; c < 3; ++c) picture.bytes.push_back(byteOf(shown[c]));
     }
-    writePng(set_.add(file), picture, {}, dpi_);
+    writePng(set_.add(file), picture, {}, density_);
   }
 
   /// `value`: 0 to 1 in each channel, of a pixel by its number.
@@ -42,12 +42,12 @@ class TextureWriter {
       for (int c = 0; c < 3; ++c)
         picture.values.push_back(static_cast<uint16_t>(std::lround(65535 * std::clamp(numbers[c], 0.0f, 1.0f))));
     }
-    writePng(set_.add(file), picture, dpi_);
+    writePng(set_.add(file), picture, density_);
   }
 
  private:
   FileSet& set_;
-  double dpi_;
+  PixelDensity density_;
   const TileMaps& tile_;
   const Task& task_;
   std::vector<SidePixel> pixels_;

@@ -63,7 +63,10 @@ class Usage(CommandLineTest):
         for library in libraries:
             self.assertRegex(library, r"^\S.* \d+\.\d+[.\d]*$")
         names = {library.rsplit(" ", 1)[0] for library in libraries}
-        self.assertLessEqual({"Embree", "oneTBB", "Highway", "OpenEXR", "OpenMesh", "GLM", "fmt", "CLI11"}, names)
+        self.assertLessEqual({"Embree", "oneTBB", "Highway", "OpenEXR", "OpenMesh", "GLM", "fmt", "CLI11", "cairo", "qpdf",
+                              "Little CMS", "libpng", "pugixml", "zlib", "libzip"}, names)
+        if "edit" in self.run_program("--help").split():
+            self.assertLessEqual({"Dear ImGui", "GLFW", "FreeType"}, names)
 
 
 main()

@@ -11,6 +11,7 @@
 #include "app/export/handover/restricted_zip.h"
 #include "app/export/handover/side_pixels.h"
 #include "core/base/file.h"
+#include "core/fabric/json/fabric_json.h"
 #include "core/fabric/weave/jacquard.h"
 #include "core/geometry/cloth/cloth_geometry.h"
 #include "tests/support/scratch_folder.h"
@@ -55,6 +56,21 @@ class HandedOver : public testing::Test {
   }
   static std::string read(const std::string& file) {
     return readFile((folder->path() / file).string(), size_t{1} << 30);
+  }
+
+  struct PngFacts {
+    uint64_t bits;                           ///< of a channel
+    int64_t across_perMetre, down_perMetre;  ///< pixels
+  };
+  static PngFacts pngFacts(const std::string& file) {
+    const std::string bytes = read(file);
+    const size_t density = bytes.find("pHYs") + 4;
+    const auto bigEndian = [&](size_t at) {
+      int64_t value = 0;
+      for (size_t i = 0; i < 4; ++i) value = 256 * value + static_cast<uint8_t>(bytes.at(at + i));
+      return value;
+    };
+    return {static_cast<uint8_t>(bytes.at(24)), bigEndian(density), bigEndian(density + 4)};
   }
 
   static inline test::ScratchFolder* folder = nullptr;
@@ -124,6 +140,11 @@ TEST_F(HandedOver, TheU3mHasEveryKeyOfItsVersionAndSizesThatAgree) {
       EXPECT_EQ(extent.channels, 3) << key;
       EXPECT_NEAR(image["dpi"]["x"].get<double>() * image["width"].get<double>() / 25.4, extent.width, 1e-6);
       EXPECT_NEAR(image["dpi"]["y"].get<double>() * image["height"].get<double>() / 25.4, extent.height, 1e-6);
+      const PngFacts png = pngFacts("textures/" + image["path"].get<std::string>().substr(9));
+      EXPECT_EQ(png.across_perMetre, std::lround(image["dpi"]["x"].get<double>() / 0.0254)) << key;
+      EXPECT_EQ(png.down_perMetre, std::lround(image["dpi"]["y"].get<double>() / 0.0254)) << key;
+      EXPECT_NE(png.across_perMetre, png.down_perMetre) << "of this cloth the tile has other pixels across than down";
+      EXPECT_EQ(png.bits, key == "basecolor" ? 8u : 16u) << key;
     }
   }
   const Json& physics = material["physics"];
@@ -342,6 +363,18 @@ TEST(ClothFacts, FibresAreToldByWordsOfTheirNames) {
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_NEAR(parts[0].ratio + parts[1].ratio, 1, 1e-12);
   EXPECT_GE(parts[0].ratio, parts[1].ratio);
+}
+
+TEST(ClothFacts, EveryFibreOfTheSamplesHasAName) {
+  int cloths = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(LOOMLIGHT_SAMPLES)) {
+    if (file.path().extension() != ".json") continue;
+    const Fabric fabric = readFabric(file.path().string());
+    for (const CompositionPart& part : compositionOf(fabric, ClothMeasures{}))
+      EXPECT_NE(part.fibre.type, "other") << file;
+    ++cloths;
+  }
+  EXPECT_GE(cloths, 25);
 }
 
 }  // namespace
