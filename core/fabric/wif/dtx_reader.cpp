@@ -11,8 +11,8 @@
 #include "core/base/text_encoding.h"
 #include "core/base/utf8.h"
 #include "core/fabric/model/field_path.h"
-#include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/wif/draft_limits.h"
 #include "core/fabric/wif/wif_sections.h"
 #include "core/fabric/wif/wif_values.h"
 
@@ -20,7 +20,8 @@
 // colours and spacing are numbers between blanks, over any number of lines; treadles that are pressed together have
 // commas between them. Tie-up and liftplan are rows of 0 and 1: a row of the tie-up is a shaft, the last row shaft 1,
 // its columns are treadles; a row of the liftplan is a pick, its columns are shafts. Colours count from 0, all else
-// from 1. Spacing is in steps of 0.053 cm.
+// from 1. Spacing is in steps of 0.053 cm. A file may name more shafts and treadles than a loom has (draft_limits), but
+// no more than a cloth has threads.
 
 namespace loomlight {
 namespace {
@@ -143,35 +144,39 @@ class DtxReader {
     }
   }
 
-  static int largest(const std::vector<std::vector<int>>& lists) {
-    int most = 0;
-    for (const std::vector<int>& list : lists)
-      if (!list.empty()) most = std::max(most, *std::max_element(list.begin(), list.end()));
-    return most;
+  /// The rows of a section, none of more columns than there can be threads.
+  const std::vector<std::string>& rows(const char* name) const {
+    static const std::vector<std::string> none;
+    const Section* const section = find(name);
+    if (!section) return none;
+    for (const std::string& row : section->lines) expectAtMost(name, "columns", row.size());
+    return section->lines;
+  }
+
+  void expectAtMost(const char* section, const char* what, size_t got) const {
+    if (got > static_cast<size_t>(Weave::kMaxSide))
+      throw InputError(
+          fmt::format("{}: @@{}: expected at most {} {}, got {}", source_, section, Weave::kMaxSide, what, got));
   }
 
   /// The columns of a row that are 1, from 1.
-  std::vector<int> marks(const char* name, const std::string& row, int most) {
+  std::vector<int> marks(const char* name, const std::string& row) {
     std::vector<int> columns;
-    for (size_t i = 0; i < row.size() && i < static_cast<size_t>(most); ++i) {
+    for (size_t i = 0; i < row.size(); ++i)
       if (row[i] == '1') columns.push_back(static_cast<int>(i) + 1);
-      if (row[i] != '1' && row[i] != '0')
-        say(name, row, "0 or 1 should stand here; other signs are taken as 0.", WifConcern::weave);
-    }
+    if (row.find_first_not_of("01") != std::string::npos)
+      say(name, row, "0 or 1 should stand here; other signs are taken as 0.", WifConcern::weave);
     return columns;
   }
 
   void readDraft() {
-    const int most = static_cast<int>(fieldInfo(&Draft::shafts).max);
     Draft& draft = document_.draft;
-    draft.threading = groups("threading", most);
-    draft.treadling = groups("treadling", most);
-    const Section* const lifts = find("liftplan");
-    if (lifts)
-      for (const std::string& row : lifts->lines) {
-        if (draft.liftplan.size() > static_cast<size_t>(Weave::kMaxSide)) break;
-        draft.liftplan.push_back(marks("liftplan", row, most));
-      }
+    draft.threading = groups("threading", Weave::kMaxSide);
+    draft.treadling = groups("treadling", Weave::kMaxSide);
+    for (const std::string& row : rows("liftplan")) {
+      if (draft.liftplan.size() > static_cast<size_t>(Weave::kMaxSide)) break;
+      draft.liftplan.push_back(marks("liftplan", row));
+    }
     if (draft.threading.empty() && draft.treadling.empty() && draft.liftplan.empty())
       throw InputError(
           fmt::format("{}: expected a draft, got a .dtx with no @@Threading, @@Treadling or @@Liftplan", source_));
@@ -181,29 +186,37 @@ class DtxReader {
     tidy(draft.threading, ends_);
     if (lifted) tidy(draft.liftplan, picks_);
     if (!lifted || !draft.treadling.empty()) tidy(draft.treadling, picks_);
-    readTieUp(draft, most);
-    draft.shafts = std::max(
-        {std::min(stated("shafts"), most), largest(draft.threading), largest(draft.tieUp), largest(draft.liftplan)});
+    readTieUp(draft);
     for (const char* name : {"tieup", "liftplan"})
       if (const Section* section = find(name))
         for (const std::string& line : section->properties)
           if (lowerCase(line).ends_with("sinking")) draft.risingShed = false;
+    fewerShafts(draft, source_, warnings_);
+    draft.shafts = kinds("shafts", largestOf({&draft.threading, &draft.tieUp, &draft.liftplan}));
+    fewerTreadles(draft, warnings_);
     validateDraft(draft, FieldPath(source_));
   }
 
-  void readTieUp(Draft& draft, int most) {
-    const Section* const rows = find("tieup");
+  void readTieUp(Draft& draft) {
+    const std::vector<std::string>& ofShafts = rows("tieup");
+    expectAtMost("tieup", "rows", ofShafts.size());
     size_t columns = 0;
-    if (rows)
-      for (const std::string& row : rows->lines) columns = std::max(columns, row.size());
-    draft.treadles = std::max({std::min(stated("treadles"), most), largest(draft.treadling),
-                               static_cast<int>(std::min(columns, static_cast<size_t>(most)))});
-    if (!rows && draft.treadling.empty()) return;
+    for (const std::string& row : ofShafts) columns = std::max(columns, row.size());
+    draft.treadles = kinds("treadles", std::max(largestOf({&draft.treadling}), static_cast<int>(columns)));
+    if (!find("tieup") && draft.treadling.empty()) return;
     draft.tieUp.resize(static_cast<size_t>(draft.treadles));
-    const size_t shafts = rows ? std::min(rows->lines.size(), static_cast<size_t>(most)) : 0;
-    for (size_t shaft = 1; shaft <= shafts; ++shaft)
-      for (const int treadle : marks("tieup", rows->lines[rows->lines.size() - shaft], most))
+    for (size_t shaft = 1; shaft <= ofShafts.size(); ++shaft)
+      for (const int treadle : marks("tieup", ofShafts[ofShafts.size() - shaft]))
         draft.tieUp[static_cast<size_t>(treadle) - 1].push_back(static_cast<int>(shaft));
+  }
+
+  /// How many shafts or treadles: as stated, but no fewer than are used.
+  int kinds(const char* key, int used) {
+    const int number = stated(key);
+    if (number <= std::max(used, mostShafts())) return std::max(number, used);
+    say("info", fmt::format("{} {}", key, number),
+        fmt::format("There can be {} {}; the draft uses {}.", mostShafts(), key, used), WifConcern::file);
+    return used;
   }
 
   WifPalette palette() {

@@ -3,9 +3,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fabric/model/field_path.h"
-#include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/validate.h"
-#include "core/fabric/weave/draft_derivation.h"
+#include "core/fabric/wif/draft_limits.h"
 #include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"
@@ -13,20 +12,14 @@
 // How it works. Threading, tie-up, treadling and liftplan are sections of lines N=list: what end, treadle or pick N
 // has. How many ends and picks there are is what Threads= says, or as far as the lines go. Lists are sorted, every
 // number once, counted from 1. Where a liftplan and a treadling stand side by side, the liftplan counts; if the two
-// weave different cloths that is said. A file may name more shafts than a loom has: lifts of shafts that no end
-// hangs on are dropped, and shafts that always go together become one. Of more treadles than a loom has, the lifts are
-// kept. The draft is checked like any other at the end. Cost: linear in the numbers of the lists, and a drawdown of
-// each where there are both.
+// weave different cloths that is said. A file may name more shafts and treadles than a loom has (draft_limits). The
+// draft is checked like any other at the end. Cost: linear in the numbers of the lists, and a drawdown of each where
+// there are both.
 
 namespace loomlight {
 namespace {
 
-using Lists = std::vector<std::vector<int>>;
-
-/// So many treadles there may be, too.
-int mostShafts() {
-  return static_cast<int>(fieldInfo(&Draft::shafts).max);
-}
+using Lists = ShaftLists;
 
 class DraftReader {
  public:
@@ -54,9 +47,9 @@ class DraftReader {
           lists(treadling, {counting_.pick, picks}, "pick", {"treadle", counting_.pressedTreadle, Weave::kMaxSide});
     readTieUp(draft);
     draft.risingShed = risingShed();
-    fewerShafts(draft);
-    draft.shafts = kinds("Shafts", largest(draft.threading, draft.tieUp, draft.liftplan));
-    fewerTreadles(draft);
+    fewerShafts(draft, source_, warnings_);
+    draft.shafts = kinds("Shafts", largestOf({&draft.threading, &draft.tieUp, &draft.liftplan}));
+    fewerTreadles(draft, warnings_);
 
     if (!threading)
       warnings_.add(0, "THREADING", "", "There is no threading: no end hangs on a shaft, and nothing is lifted.");
@@ -157,46 +150,6 @@ class DraftReader {
     return numbers;
   }
 
-  /// A loom has fewer shafts than such a file may name. Lifts of shafts that no end hangs on move nothing; where ends
-  /// do hang on more, shafts that always go together become one.
-  void fewerShafts(Draft& draft) {
-    if (largest(draft.threading, {}, {}) <= mostShafts()) {
-      const int lifted = largest(draft.tieUp, draft.liftplan, {});
-      if (lifted <= mostShafts()) return;
-      warnings_.add(
-          0, draft.liftplan.empty() ? "TIEUP" : "LIFTPLAN", "",
-          fmt::format("Shafts up to {} are lifted, and there can be {}; no end hangs on those beyond, which are "
-                      "left out. The cloth is the same.",
-                      lifted, mostShafts()));
-      for (Lists* lists : {&draft.tieUp, &draft.liftplan})
-        for (std::vector<int>& list : *lists)
-          list.erase(std::upper_bound(list.begin(), list.end(), mostShafts()), list.end());
-      return;
-    }
-    draft.shafts = largest(draft.threading, draft.tieUp, draft.liftplan);
-    const std::optional<Draft> merged = smallestDraft(drawdown(draft), mostShafts());
-    if (!merged)
-      throw InputError(
-          fmt::format("{}: [THREADING]: expected at most {} shafts that differ, got a draft that needs more", source_,
-                      mostShafts()));
-    warnings_.add(0, "THREADING", "",
-                  fmt::format("The draft names {} shafts, and there can be {}; those that always go together are one, "
-                              "which leaves {}. The cloth is the same.",
-                              draft.shafts, mostShafts(), merged->shafts));
-    draft = withLiftplan(*merged);
-  }
-
-  /// A loom has fewer treadles than such a file may name: its draft has a liftplan instead.
-  void fewerTreadles(Draft& draft) {
-    if (draft.treadles <= mostShafts()) return;
-    warnings_.add(
-        0, "TREADLING", "",
-        fmt::format("The draft uses {} treadles, and there can be {}; what they lift is a liftplan instead. The "
-                    "cloth is the same.",
-                    draft.treadles, mostShafts()));
-    draft = withLiftplan(std::move(draft));
-  }
-
   /// The tie-up, and how many treadles there are: those tied, and as many more as [WEAVING] says. A treadle that is
   /// pressed but neither of the two moves nothing.
   void readTieUp(Draft& draft) {
@@ -215,14 +168,6 @@ class DraftReader {
           fmt::format("There are {} treadles; one beyond them is tied to nothing and passed over.", draft.treadles));
       pressed.erase(first, pressed.end());
     }
-  }
-
-  static int largest(const Lists& a, const Lists& b, const Lists& c) {
-    int most = 0;
-    for (const Lists* lists : {&a, &b, &c})
-      for (const std::vector<int>& list : *lists)
-        if (!list.empty()) most = std::max(most, list.back());
-    return most;
   }
 
   /// How many shafts or treadles: as stated in [WEAVING], but no fewer than `used`.

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+#include "core/fabric/model/weave.h"
+#include "core/fabric/wif/wif_warnings.h"
+
+/// A draft's file may name more shafts and treadles than a loom has. What the two readers of such files do then.
+namespace loomlight {
+
+/// So many shafts a draft has at most, and so many treadles.
+int mostShafts();
+
+using ShaftLists = std::vector<std::vector<int>>;
+/// The largest number in lists that are sorted; 0 where there is none.
+int largestOf(std::initializer_list<const ShaftLists*> all);
+
+/// Lifts of shafts that no end hangs on move nothing, and are dropped; where ends do hang on more shafts than there can
+/// be, those that always go together become one. The lists are sorted; threading, tie-up, treadling or liftplan and the
+/// way the shed opens are there. Leaves the number of shafts to the caller. Throws InputError, naming `source`, where
+/// the cloth needs more.
+void fewerShafts(Draft& draft, const std::string& source, WifWarnings& warnings);
+
+/// Where there are more treadles than there can be, the draft has a liftplan instead.
+void fewerTreadles(Draft& draft, WifWarnings& warnings);
+
+}  // namespace loomlight
