@@ -195,6 +195,11 @@ void setSizes(const Fabric& fabric, System system, int threads, WifSizes& sizes,
           fmt::format("{} lay unevenly in the file that the cloth is from; sett or yarns are others "
                       "now, and all are written at one distance.",
                       isWarp ? "Ends" : "Picks"));
+    else if (hasGaps(sizes, read.threads))
+      remarks.push_back(
+          fmt::format("Only some {} had a spacing or a thickness in the file that the cloth is from; sett or yarns are "
+                      "others now, and are written as they are.",
+                      isWarp ? "ends" : "picks"));
   } else if (sizes.hasSingle() && !hasItsThreads(fabric, system, threads, read)) {
     remarks.push_back(
         fmt::format("Spacing and thickness of single {} in the file that the cloth is from are those of other threads "

@@ -43,8 +43,10 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
 
   WifOrigin origin;
   origin.yarns = dressThreads(fabric, document, import.warnings);
-  for (const auto& uneven : {unevenSpacing(document.rest.warp, document.ends(), "Ends"),
-                             unevenSpacing(document.rest.weft, document.picks(), "Picks")})
+  const int ends = sizedThreads(document.rest.warp, document.ends(), document.named.ends);
+  const int picks = sizedThreads(document.rest.weft, document.picks(), document.named.picks);
+  for (const auto& uneven :
+       {unevenSpacing(document.rest.warp, ends, "Ends"), unevenSpacing(document.rest.weft, picks, "Picks")})
     if (uneven) import.warnings.push_back(*uneven);
 
   origin.program = fitting(document.program, "name of the program", import.warnings);

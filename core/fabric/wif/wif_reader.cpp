@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/fabric/wif/wif_numbered.h"
+#include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/wif/wif_values.h"
 
 // How it works. A weaving file (WIF 1.1 of 1997) is read in steps, each of which puts up with what can be understood
@@ -119,6 +120,8 @@ WifDocument readWif(std::string_view bytes, const std::string& source, WifWarnin
   cutSizes(rest.weft.thicknesses, "WEFT THICKNESS", picks, warnings);
   document.warpColours = readWifColours(sections, counting, System::warp, ends, rest.palette, warnings);
   document.weftColours = readWifColours(sections, counting, System::weft, picks, rest.palette, warnings);
+  noteGaps(rest.warp, System::warp, sizedThreads(rest.warp, ends, document.named.ends), warnings);
+  noteGaps(rest.weft, System::weft, sizedThreads(rest.weft, picks, document.named.picks), warnings);
   return document;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_most_common.h"
 
 namespace loomlight {
@@ -42,6 +43,15 @@ bool saysThicknessBySpacing(const Lengths& thick, const Lengths& apart) {
   return thick.empty() || thick[0] > *std::min_element(apart.begin(), apart.end());
 }
 
+int howMany(const std::map<int, double>& single, int threads) {
+  return static_cast<int>(std::distance(single.begin(), single.upper_bound(threads)));
+}
+
+/// Whether single threads have a length, and nothing gives that of the others.
+bool hasGaps(const std::map<int, double>& single, const std::optional<double>& common, int threads) {
+  return !single.empty() && !common && howMany(single, threads) < threads;
+}
+
 Lengths relative(Lengths lengths) {
   const double usual = mostCommon(lengths);
   for (double& length : lengths) length /= usual;
@@ -54,7 +64,9 @@ std::optional<double> usualThickness_mm(const WifSizes& sizes, int threads) {
   Lengths known;
   for (int thread = 1; thread <= threads; ++thread)
     if (const auto thickness = sizes.thickness_mm(thread)) known.push_back(*thickness);
-  return known.empty() ? std::nullopt : std::optional(mostCommon(known));
+  // Those that a file lists by themselves are the odd ones; the others may be of any thickness.
+  const bool areMost = 2 * known.size() > static_cast<size_t>(threads);
+  return areMost ? std::optional(mostCommon(known)) : std::nullopt;
 }
 
 std::vector<double> relativeThickness(const WifSizes& sizes, int threads) {
@@ -62,6 +74,31 @@ std::vector<double> relativeThickness(const WifSizes& sizes, int threads) {
   if (varies(thick)) return relative(thick);
   if (saysThicknessBySpacing(thick, apart)) return relative(apart);
   return Lengths(static_cast<size_t>(threads), 1.0);
+}
+
+bool hasGaps(const WifSizes& sizes, int threads) {
+  return hasGaps(sizes.spacings, sizes.spacing, threads) || hasGaps(sizes.thicknesses, sizes.thickness, threads);
+}
+
+int sizedThreads(const WifSizes& sizes, int threads, int named) {
+  return named > 0 && hasGaps(sizes, threads) ? named : threads;
+}
+
+void noteGaps(const WifSizes& sizes, System system, int threads, WifWarnings& warnings) {
+  const char* const thread = system == System::warp ? "end" : "pick";
+  const auto note = [&](const char* section, const std::map<int, double>& single, const char* what,
+                        const std::string& instead) {
+    warnings.add(0, sectionName(system, section), "",
+                 fmt::format("Only {} of {} {}s have a {}, and none is said for the others; {}.",
+                             howMany(single, threads), threads, thread, what, instead));
+  };
+  const std::string kept = "it is only kept for export";
+  if (hasGaps(sizes.thicknesses, sizes.thickness, threads))
+    note(" THICKNESS", sizes.thicknesses, "thickness",
+         usualThickness_mm(sizes, threads) ? "they get the usual yarn"
+                                           : fmt::format("{}, and makes no {} thick or thin", kept, thread));
+  if (hasGaps(sizes.spacings, sizes.spacing, threads))
+    note(" SPACING", sizes.spacings, "spacing", fmt::format("{}, and all {}s lie at one distance", kept, thread));
 }
 
 std::optional<WifWarning> unevenSpacing(const WifSizes& sizes, int threads, const char* what) {

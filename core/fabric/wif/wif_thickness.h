@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/fabric/model/wif_document.h"
 #include "core/fabric/wif/wif_warnings.h"
 
@@ -10,12 +11,20 @@
 /// room that the thread takes.
 namespace loomlight {
 
-/// The thickness that most of these threads have; nothing where the file gives none.
+/// The thickness that most of these threads have; nothing where the file gives none, or only that of a few.
 std::optional<double> usualThickness_mm(const WifSizes& sizes, int threads);
 
 /// How many times as thick as most each of these threads is: by thickness where that differs, else by spacing, unless
 /// the file gives a thickness that leaves a gap even in the narrowest room: then threads are set apart, not thick.
 std::vector<double> relativeThickness(const WifSizes& sizes, int threads);
+
+/// Whether single threads have a spacing or a thickness, and nothing gives that of the others.
+bool hasGaps(const WifSizes& sizes, int threads);
+/// Of how many threads, from the first, sizes are to be expected: where there are gaps, as far as the draft names its
+/// threads (WifNamed), since those beyond are empty.
+int sizedThreads(const WifSizes& sizes, int threads, int named);
+/// Says where there are gaps, and what comes of it.
+void noteGaps(const WifSizes& sizes, System system, int threads, WifWarnings& warnings);
 
 /// What a fabric has otherwise than the file because all its threads lie at one distance; nothing where they do so in
 /// the file. `threads` in the file; `what` is what a system's threads are called, "Ends" or "Picks".

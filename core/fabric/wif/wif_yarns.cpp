@@ -43,8 +43,11 @@ struct Kind {
   friend bool operator<(const Kind& a, const Kind& b) { return a.key() < b.key(); }
 };
 
-std::vector<Kind> kindsOfThreads(const std::vector<int>& colours, const WifSizes& sizes, int base, int system) {
-  const std::vector<double> thick = relativeThickness(sizes, static_cast<int>(colours.size()));
+/// Sizes are those of the first `sized` threads; what the file says of others is not to be relied on.
+std::vector<Kind> kindsOfThreads(const std::vector<int>& colours, const WifSizes& sizes, int sized, int base,
+                                 int system) {
+  std::vector<double> thick = relativeThickness(sizes, sized);
+  thick.resize(colours.size(), 1.0);
   std::vector<Kind> kinds;
   for (size_t thread = 0; thread < colours.size(); ++thread) {
     constexpr double kMostRatio = 1000.0;
@@ -205,10 +208,11 @@ Yarn heavier(Yarn yarn, const Fibre& fibre, double factor, bool& held) {
 std::vector<WifYarn> dressThreads(Fabric& fabric, const WifDocument& document, Warnings& warnings) {
   const WifRest& rest = document.rest;
   const int warpBase = fabric.warpYarn(0), weftBase = fabric.weftYarn(0);
-  const bool apart = warpBase == weftBase &&
-                     usualThickness_mm(rest.warp, document.ends()) != usualThickness_mm(rest.weft, document.picks());
-  std::vector<Kind> warp = kindsOfThreads(document.warpColours, rest.warp, warpBase, 0);
-  std::vector<Kind> weft = kindsOfThreads(document.weftColours, rest.weft, weftBase, apart ? 1 : 0);
+  const int ends = sizedThreads(rest.warp, document.ends(), document.named.ends);
+  const int picks = sizedThreads(rest.weft, document.picks(), document.named.picks);
+  const bool apart = warpBase == weftBase && usualThickness_mm(rest.warp, ends) != usualThickness_mm(rest.weft, picks);
+  std::vector<Kind> warp = kindsOfThreads(document.warpColours, rest.warp, ends, warpBase, 0);
+  std::vector<Kind> weft = kindsOfThreads(document.weftColours, rest.weft, picks, weftBase, apart ? 1 : 0);
   reduceKinds(warp, weft, rest.palette, warnings);
   return dress(fabric, warp, weft, rest.palette, warnings);
 }
