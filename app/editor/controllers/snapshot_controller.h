@@ -57,8 +57,8 @@ class SnapshotController {
   void followView(const Sight& now, const ViewService& seen);
   /// At the end of a frame, whether the dialog is drawn or another stands in for it.
   void follow(Ui& ui, const Sight& now, ViewService& seen);
-  /// Why the newest view will not last; empty while all is well.
-  const std::string& problem() const { return shelf_.problem(); }
+  /// Why a kept view will not last; empty while all do.
+  std::string problem() const { return shelf_.problem(); }
 
  private:
   /// Of which a picture joins the strip as soon as there is one, and is renewed while it gets better.

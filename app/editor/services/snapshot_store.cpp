@@ -25,7 +25,7 @@ SnapshotStore::SnapshotStore(std::filesystem::path folder, DisplayDriver& driver
       difference_(driver.makeTexture()),
       disk_(
           std::move(wake), [this](const Order& order, const auto&) { return done(folder_, order); },
-          [](const Order& order, const std::string& problem) { return Done{order.work, {}, {}, problem}; },
+          [](const Order& order, const std::string& why) { return Done{order.work, order.view.id, {}, {}, why}; },
           Backlog::every) {
   const std::vector<std::string> ids = folder_.ids();
   for (size_t i = ids.size() - std::min(ids.size(), budget.views); i < ids.size(); ++i) {
@@ -35,22 +35,41 @@ SnapshotStore::SnapshotStore(std::filesystem::path folder, DisplayDriver& driver
 }
 
 SnapshotStore::Done SnapshotStore::done(const ViewFolder& folder, const Order& order) {
-  Done done{order.work, {}, {}, {}};
-  if (order.work == Order::Work::read) done.view = folder.read(order.view.id);
-  if (order.work == Order::Work::keep) done.removed = folder.keep(order.view);
-  if (order.work == Order::Work::remove) folder.remove(order.view.id);
+  using Work = Order::Work;
+  Done done{order.work, order.view.id, {}, {}, {}};
+  if (order.work == Work::read) done.view = folder.read(order.view.id);
+  if (order.work == Work::keep || order.work == Work::keepAgain) done.removed = folder.keep(order.view);
+  if (order.work == Work::remove) folder.remove(order.view.id);
   return done;
 }
 
-/// A view that cannot be read, none of ours or broken by hand, is not offered.
+/// A view that cannot be read, none of ours or broken by hand, is not offered. Once one finds room, all that found none
+/// are tried again; what that brings tries none again, as they would be tried without end.
 void SnapshotStore::follow() {
   while (auto done = disk_.take()) {
-    if (done->work == Order::Work::keep) problem_ = std::move(done->problem);
-    for (const std::string& id : done->removed) std::erase_if(kept_, [&](const Kept& k) { return k.view.id == id; });
-    if (done->work != Order::Work::read) continue;
-    --awaited_;
-    if (done->view) add(std::move(*done->view));
+    if (done->work == Order::Work::read) {
+      --awaited_;
+      if (done->view) add(std::move(*done->view));
+      continue;
+    }
+    for (const std::string& id : done->removed) drop(id);
+    if (find(done->id) == kept_.end()) continue;
+    if (!done->problem.empty()) {
+      unkept_[done->id] = std::move(done->problem);
+      continue;
+    }
+    unkept_.erase(done->id);
+    if (done->work == Order::Work::keep) keepAgain();
   }
+}
+
+void SnapshotStore::keepAgain() {
+  for (const auto& [id, problem] : unkept_) disk_.ask({Order::Work::keepAgain, view(id)});
+}
+
+void SnapshotStore::drop(const std::string& id) {
+  unkept_.erase(id);
+  if (const auto found = find(id); found != kept_.end()) kept_.erase(found);
 }
 
 void SnapshotStore::add(KeptView view) {
@@ -85,7 +104,7 @@ void SnapshotStore::renew(const std::string& id, Pixels8 picture) {
 
 void SnapshotStore::remove(const std::string& id) {
   disk_.ask({Order::Work::remove, {id, {}, {}, {}}});
-  kept_.erase(find(id));
+  drop(id);
 }
 
 std::vector<SnapshotStore::Kept>::const_iterator SnapshotStore::find(const std::string& id) const {

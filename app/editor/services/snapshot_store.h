@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,10 @@ class SnapshotStore {
   /// `wake` is called from that thread when there is something to follow().
   SnapshotStore(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake,
                 ViewFolder::Budget budget = {});
+  /// Tries the views that are on no disk once more.
+  ~SnapshotStore() { keepAgain(); }
+  SnapshotStore(const SnapshotStore&) = delete;
+  SnapshotStore& operator=(const SnapshotStore&) = delete;
 
   /// Takes what has been read; once a frame.
   void follow();
@@ -33,8 +38,8 @@ class SnapshotStore {
   void remove(const std::string& id);
   /// Also while the first are still being read.
   bool empty() const { return kept_.empty() && awaited_ == 0; }
-  /// Why the newest view will not last; empty while all is well.
-  const std::string& problem() const { return problem_; }
+  /// Why a view will not last, the newest of them; empty while all do.
+  std::string problem() const { return unkept_.empty() ? "" : unkept_.rbegin()->second; }
   const KeptView& view(const std::string& id) const { return find(id)->view; }
   std::vector<SnapshotItem> items() const;
 
@@ -49,17 +54,20 @@ class SnapshotStore {
     std::shared_ptr<PictureTexture> texture;
   };
   struct Order {
-    enum class Work { read, keep, remove } work;
+    enum class Work { read, keep, keepAgain, remove } work;
     KeptView view;  ///< to read and to remove: its name alone
   };
   struct Done {
     Order::Work work;
+    std::string id;
     std::optional<KeptView> view;      ///< that was read
     std::vector<std::string> removed;  ///< views that there was no more room for
     std::string problem;
   };
   static Done done(const ViewFolder& folder, const Order& order);
   void add(KeptView view);
+  void keepAgain();
+  void drop(const std::string& id);
   std::vector<Kept>::const_iterator find(const std::string& id) const;
 
   const ViewFolder::Budget budget_;
@@ -69,9 +77,9 @@ class SnapshotStore {
   std::vector<Kept> compared_;
   std::unique_ptr<PictureTexture> difference_;
   int count_ = 0;
-  size_t awaited_ = 0;  ///< views that are still being read
-  std::string problem_;
-  Worker<Order, Done> disk_;  // last: it ends before what it uses is gone
+  size_t awaited_ = 0;                         ///< views that are still being read
+  std::map<std::string, std::string> unkept_;  ///< views that are not on the disk as they are here, and why
+  Worker<Order, Done> disk_;                   // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

@@ -195,8 +195,9 @@ TEST(OnAFullDiskWithoutADialog, AViewThatWillNotLastIsToldOf) {
   EXPECT_TRUE(editor.shows("snapshot.item_0")) << "as long as the editor runs";
   EXPECT_THAT(filesIn(viewFolder()), testing::IsEmpty());
   editor.key("k");
-  editor.until("the next one lasts", [&] { return filesIn(viewFolder()).size() == 1; });
+  editor.until("both last now", [&] { return filesIn(viewFolder()).size() == 2; });
   editor.until("all is well", [&] { return !editor.fact("status.warning").starts_with("The view"); });
+  EXPECT_TRUE(editor.shows("snapshot.item_1"));
 }
 
 class PresetsOnAFullDisk : public OnAFullDisk {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "app/editor/model/sample_fabric.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/memory_driver.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/wakes.h"
@@ -13,11 +16,10 @@ namespace {
 class SnapshotStoreTest : public testing::Test {
  protected:
   /// A picture that does not compress: 30 kB.
-  static std::string keep(SnapshotStore& store) {
-    constexpr int kSide = 100;
-    Pixels8 picture{kSide, kSide, 3, {}};
+  static std::string keep(SnapshotStore& store, int side = 100) {
+    Pixels8 picture{side, side, 3, {}};
     uint32_t noise = 1;
-    for (int i = 0; i < 3 * kSide * kSide; ++i)
+    for (int i = 0; i < 3 * side * side; ++i)
       picture.bytes.push_back(static_cast<uint8_t>((noise = noise * 1664525u + 1013904223u) >> 24));
     return store.keep(std::make_shared<const Fabric>(sampleFabric()), {}, std::move(picture));
   }
@@ -26,6 +28,20 @@ class SnapshotStoreTest : public testing::Test {
     for (const SnapshotItem& item : store.items()) ids.push_back(item.id);
     return ids;
   }
+
+  void untilAllIsWell(SnapshotStore& store) {
+    EXPECT_TRUE(wakes_.until([&] {
+      store.follow();
+      return store.problem().empty();
+    }));
+  }
+  void untilAViewWillNotLast(SnapshotStore& store) {
+    EXPECT_TRUE(wakes_.until([&] {
+      store.follow();
+      return !store.problem().empty();
+    }));
+  }
+  std::vector<std::string> onDisk() const { return ViewFolder(folder_.path(), {}).ids(); }
 
   MemoryDriver driver_;
   Wakes wakes_;
@@ -52,6 +68,54 @@ TEST_F(SnapshotStoreTest, WhatThereIsNoRoomForOnTheDiskLeavesTheStrip) {
     return shown(store).size() <= 3;
   }));
   EXPECT_EQ(shown(store).back(), last);
+}
+
+constexpr int kNoMoreThanASmallOne = 20'000;  // bytes
+
+/// That there is room for another one is no comfort; once there is room for both, both are kept.
+TEST_F(SnapshotStoreTest, AViewThatFindsNoRoomIsToldOfUntilItHasFoundSome) {
+  std::atomic<int> done = 0;
+  SnapshotStore store(folder_.path(), driver_, [&, wake = wakes_.callback()] {
+    ++done;
+    wake();
+  });
+  std::string large, small;
+  {
+    const test::FullDisk full(kNoMoreThanASmallOne);
+    large = keep(store);
+    small = keep(store, 10);
+    EXPECT_TRUE(wakes_.until([&] { return done >= 2; }));
+    store.follow();
+    EXPECT_NE(store.problem().find("File too large"), std::string::npos) << "the other one is kept";
+    // The large one is tried once more, and then no more.
+    EXPECT_TRUE(wakes_.until([&] { return done >= 3; }));
+    store.follow();
+    EXPECT_NE(store.problem(), "");
+    EXPECT_EQ(onDisk(), std::vector<std::string>{small});
+  }
+  const std::string last = keep(store, 10);
+  untilAllIsWell(store);
+  EXPECT_EQ(onDisk(), (std::vector<std::string>{large, small, last}));
+}
+
+TEST_F(SnapshotStoreTest, AViewThatFoundNoRoomIsTriedOnceMoreAtTheEnd) {
+  std::string view;
+  {
+    SnapshotStore store(folder_.path(), driver_, wakes_.callback());
+    const test::FullDisk full(kNoMoreThanASmallOne);  // it has room again before the store ends
+    view = keep(store);
+    untilAViewWillNotLast(store);
+  }
+  EXPECT_EQ(onDisk(), std::vector<std::string>{view});
+}
+
+TEST_F(SnapshotStoreTest, AViewThatIsRemovedNeedsNoRoom) {
+  SnapshotStore store(folder_.path(), driver_, wakes_.callback());
+  const test::FullDisk full(kNoMoreThanASmallOne);
+  const std::string view = keep(store);
+  untilAViewWillNotLast(store);
+  store.remove(view);
+  EXPECT_EQ(store.problem(), "");
 }
 
 }  // namespace
