@@ -7,11 +7,8 @@
 #include <map>
 
 #include "app/editor/model/user_folders.h"
-#include "core/fabric/model/colourways.h"
-#include "tests/headless/editor/headless_editor.h"
-#include "tests/headless/editor/small_cloth.h"
+#include "tests/headless/editor/written_beside.h"
 #include "tests/support/full_disk.h"
-#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {
@@ -20,43 +17,8 @@ namespace fs = std::filesystem;
 using test::FullDisk;
 using testing::HasSubstr;
 
-constexpr const char* kOld = "what was there";
-
-/// All files below a folder, by their names in it.
-std::map<std::string, std::string> filesIn(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    files[entry.path().lexically_relative(folder).string()] =
-        entry.is_regular_file() ? test::bytesOf(entry.path().string()) : "(a folder)";
-  return files;
-}
-
-class OnAFullDisk : public testing::Test {
+class OnAFullDisk : public testing::Test, protected EditorBesideAFolder {
  protected:
-  OnAFullDisk() {
-    Fabric cloth = smallCloth("Blue");
-    cloth.colourways = {colourwayOf(cloth, "Rust")};
-    cloth.render.width = cloth.render.height = 24;
-    cloth.render.samplesPerPixel = 1;
-    editor.start(cloth);
-    fs::create_directory(out);
-  }
-  /// In the folder that is looked at.
-  std::string oldFile(const std::string& name) {
-    const std::string file = (out / name).string();
-    test::putBytes(file, kOld);
-    return file;
-  }
-  void clickAll(const std::vector<std::string>& widgets) {
-    for (const std::string& widget : widgets) editor.click(widget);
-  }
-  void untilSaid(const std::string& fact, const std::string& said) {
-    editor.until(fact + " says: " + said, [&] { return editor.fact(fact).find(said) != std::string::npos; });
-  }
-  void close(const std::string& dialog) {
-    editor.click(dialog + ".close");
-    editor.untilNoDialogIsOpen();
-  }
   /// Of a dialog that renders, with all it needs.
   void leavesTheOldFile(const std::string& dialog, const std::string& file) {
     const std::map<std::string, std::string> before = filesIn(out);
@@ -78,9 +40,6 @@ class OnAFullDisk : public testing::Test {
     EXPECT_NE(test::bytesOf(file), kOld);
     close(dialog);
   }
-
-  HeadlessEditor editor{{1280, 1000, 1}};
-  const fs::path out = editor.home() / "out";
 };
 
 TEST_F(OnAFullDisk, AnExportLeavesTheOldFile) {
@@ -91,11 +50,7 @@ TEST_F(OnAFullDisk, AnExportLeavesTheOldFile) {
     SCOPED_TRACE(name);
     const std::string file = oldFile(name);
     const std::map<std::string, std::string> before = filesIn(out);
-    const auto replace = [&, item = item] {
-      clickAll({"menu.file", "menu.export", item});
-      editor.nameFile(file);
-      editor.click("browser.ok");
-    };
+    const auto replace = [&, item = item] { writeBy({"menu.file", "menu.export", item}, file); };
     {
       const FullDisk full(FullDisk::kFewerThanAnyFile);
       replace();
@@ -108,6 +63,28 @@ TEST_F(OnAFullDisk, AnExportLeavesTheOldFile) {
     untilSaid("message", "Written");
     editor.answer();
     EXPECT_NE(test::bytesOf(file), kOld);
+  }
+}
+
+/// It is rendered before it is written: of hardly any cloth, which is soon done, and not anew once there is room.
+TEST(OnAFullDiskASheet, LeavesTheOldFile) {
+  Fabric open = smallCloth("Blue");
+  open.ends_per_cm = open.picks_per_cm = 0.2;
+  open.yarns[0].fibresPerPly = 1;
+  EditorBesideAFolder at(open);
+  using Way = std::vector<std::string>;
+  for (const auto& [way, name] : {std::pair(Way{"menu.file", "menu.sheet"}, "sheet.pdf"),
+                                  std::pair(Way{"menu.edit", "menu.colourways", "colourways.print"}, "rust.png")}) {
+    SCOPED_TRACE(name);
+    const std::string file = at.oldFile(name);
+    const std::map<std::string, std::string> before = filesIn(at.out);
+    {
+      const FullDisk full(FullDisk::kFewerThanAnyFile);
+      at.writeBy(way, file);
+      at.untilSaid("message", file + ": cannot be written: File too large");
+    }
+    at.editor.answer();
+    EXPECT_EQ(filesIn(at.out), before);
   }
 }
 
