@@ -24,6 +24,7 @@
 #include "tests/support/full_disk.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/wakes.h"
+#include "tests/support/write_protected.h"
 
 namespace loomlight {
 namespace {
@@ -305,6 +306,21 @@ TEST(Settings, AFullDiskKeepsTheOldOnesAndSaysSo) {
   }
   EXPECT_EQ(readSettings(file).windowWidth, Settings().windowWidth);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1) << "something was left beside them";
+}
+
+TEST(Settings, ThatAreWriteProtectedStayAndThatIsSaid) {
+  test::humbly([] {
+    const Folder folder;
+    const std::string file = (folder.path / "editor.json").string();
+    writeSettings(file, Settings());
+    const std::string before = test::bytesOf(file);
+    for (const fs::path& place : {fs::path(file), folder.path}) {
+      const test::WriteProtected kept(place);
+      EXPECT_THAT(test::messageOf<InputError>([&] { writeSettings(file, Settings()); }),
+                  testing::AllOf(testing::HasSubstr(file), testing::HasSubstr("Permission denied")));
+      EXPECT_EQ(test::bytesOf(file), before);
+    }
+  });
 }
 
 TEST(Settings, OneThatMakesNoSenseCostsNoOther) {
