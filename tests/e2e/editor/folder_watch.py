@@ -1,17 +1,18 @@
-"""Waits until a file comes into a folder, or another takes its place, by inotify of the kernel."""
+"""Waits until something happens to the files of a folder, by inotify of the kernel."""
 
 import ctypes
 import os
 import select
 
-_MOVED_TO = 0x80  # a file is there as a whole
+WHOLE_FILE = 0x80  # one came into the folder, or took another one's place
+ANY_CHANGE = 0x02 | 0x100 | WHOLE_FILE  # and one was made or written
 
 
 class FolderWatch:
-    def __init__(self, folder):
+    def __init__(self, folder, changes=WHOLE_FILE):
         libc = ctypes.CDLL(None, use_errno=True)
         self.file = libc.inotify_init1(os.O_NONBLOCK)
-        if self.file < 0 or libc.inotify_add_watch(self.file, folder.encode(), _MOVED_TO) < 0:
+        if self.file < 0 or libc.inotify_add_watch(self.file, folder.encode(), changes) < 0:
             raise OSError(ctypes.get_errno(), f"{folder} cannot be watched")
 
     def wait(self, seconds):
