@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -45,14 +46,15 @@ class HandedOver : public testing::Test {
     order.joinTwist = false;
     order.measuringSamples = 4;
     order.fitSamples = 8;
-    folder = new test::ScratchFolder;
-    cloth = new DigitalCloth(*makeDigitalCloth(fabric, order, 1e9, {}));
-    report = new HandoverReport(writeHandover(folder->path().string(), "two_sides", *cloth, kNoon, {}).value());
+    folder = std::make_unique<test::ScratchFolder>();
+    cloth = std::make_unique<DigitalCloth>(*makeDigitalCloth(fabric, order, 1e9, {}));
+    report = std::make_unique<HandoverReport>(
+        writeHandover(folder->path().string(), "two_sides", *cloth, kNoon, {}).value());
   }
   static void TearDownTestSuite() {
-    delete report;
-    delete cloth;
-    delete folder;
+    report.reset();
+    cloth.reset();
+    folder.reset();
   }
   static std::string read(const std::string& file) {
     return readFile((folder->path() / file).string(), size_t{1} << 30);
@@ -73,9 +75,9 @@ class HandedOver : public testing::Test {
     return {static_cast<uint8_t>(bytes.at(24)), bigEndian(density), bigEndian(density + 4)};
   }
 
-  static inline test::ScratchFolder* folder = nullptr;
-  static inline DigitalCloth* cloth = nullptr;
-  static inline HandoverReport* report = nullptr;
+  static inline std::unique_ptr<test::ScratchFolder> folder;
+  static inline std::unique_ptr<DigitalCloth> cloth;
+  static inline std::unique_ptr<HandoverReport> report;
 };
 
 TEST_F(HandedOver, AllFilesThatAreSaidAreThereAndNoOthers) {
