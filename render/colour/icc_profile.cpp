@@ -140,11 +140,11 @@ Lab labOf(const glm::vec3& lab) {
   return {lab.x, lab.y, lab.z};
 }
 
-/// To what a display must be sent.
+/// To what a display must be sent. `what` stands for the profile in messages.
 class DisplayWay {
  public:
-  explicit DisplayWay(const IccProfile& display)
-      : toDevice_(between(context_, display.description, Profile(cmsCreate_sRGBProfileTHR(context_.get())), kRgb,
+  DisplayWay(const IccProfile& display, const std::string& what)
+      : toDevice_(between(context_, what, Profile(cmsCreate_sRGBProfileTHR(context_.get())), kRgb,
                           opened(context_, display.bytes), kRgb, true)) {}
 
   std::vector<glm::vec3> sent(const std::vector<glm::vec3>& colours) const {
@@ -156,16 +156,15 @@ class DisplayWay {
   Transform toDevice_;
 };
 
-/// To a printer's inks, and from them to what is seen.
+/// To a printer's inks, and from them to what is seen. `what` stands for the profile in messages.
 class PrintWay {
  public:
-  explicit PrintWay(const IccProfile& printer) {
+  PrintWay(const IccProfile& printer, const std::string& what) {
     const Profile standard(cmsCreate_sRGBProfileTHR(context_.get()));
     const Profile lab(cmsCreateLab4ProfileTHR(context_.get(), nullptr));
     const Profile device = opened(context_, printer.bytes);
     const cmsColorSpaceSignature space = cmsGetColorSpace(device.get());
     const cmsUInt32Number inks = formatOf(device.get());
-    const std::string& what = printer.description;
     inkCount_ = cmsChannelsOf(space);
     fullInk_ = space == cmsSigRgbData || space == cmsSigGrayData ? 1.0f : 100.0f;
     toInks_ = between(context_, what, standard, kRgb, device, inks, true);
@@ -223,9 +222,9 @@ IccProfile iccProfile(std::string bytes, const std::string& from) {
   if (made.description.empty()) made.description = std::filesystem::path(from).filename().string();
   // What lacks the tables that are needed is found out here, where it can be said, and not when it is used.
   if (made.device == IccProfile::Device::display) {
-    DisplayWay{made};
+    DisplayWay(made, from);
   } else {
-    PrintWay{made};
+    PrintWay(made, from);
   }
   return made;
 }
@@ -236,12 +235,13 @@ IccProfile readIccProfile(const std::string& file) {
 
 ColourCube displayCube(const IccProfile& display) {
   std::vector<glm::vec4> corners;
-  for (const glm::vec3& sent : DisplayWay(display).sent(cornerColours())) corners.emplace_back(shown(sent), 1.0f);
+  for (const glm::vec3& sent : DisplayWay(display, display.description).sent(cornerColours()))
+    corners.emplace_back(shown(sent), 1.0f);
   return ColourCube(std::move(corners));
 }
 
 ColourCube proofCube(const IccProfile& printer) {
-  const PrintWay way(printer);
+  const PrintWay way(printer, printer.description);
   const std::vector<glm::vec3> colours = cornerColours(), prints = way.prints(colours);
   const std::vector<float> differences = way.outOfGamut_deltaE(colours);
   std::vector<glm::vec4> corners;

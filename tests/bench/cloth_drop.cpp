@@ -152,8 +152,9 @@ class Simulation {
                ++it) {
             const uint32_t j = it->second;
             if (j <= i || glm::distance(points_[i], points_[j]) > reach) continue;
-            const double columns = double(i % side_) - double(j % side_), rows = double(i / side_) - double(j / side_);
-            if (std::hypot(columns, rows) > apart) close_.emplace_back(i, j);
+            const int64_t columns = int64_t{i % side_} - int64_t{j % side_},
+                          rows = int64_t{i / side_} - int64_t{j / side_};
+            if (std::hypot(static_cast<double>(columns), static_cast<double>(rows)) > apart) close_.emplace_back(i, j);
           }
         }
     }

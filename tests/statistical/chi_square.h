@@ -155,7 +155,7 @@ ChiSquare chiSquareOnSphere(Sampler&& sampler, Pdf&& pdf, ChiSquareSettings sett
         const double low = -kPi + column * dphi;
         return std::sin(theta) * integrate(point, low, low + dphi, settings.quadrature);
       };
-      mass[static_cast<size_t>(row * columns + column)] =
+      mass[static_cast<size_t>(row) * static_cast<size_t>(columns) + static_cast<size_t>(column)] =
           integrate(ring, row * dtheta, (row + 1) * dtheta, settings.quadrature);
     }
   }

@@ -22,8 +22,8 @@ inline Image surroundings(const Light& light, int width) {
       const auto cosTheta = static_cast<float>(std::cos(kPi * (y + 0.5) / image.height));
       const Rgb radiance =
           lighting.escape(latLongDirection((static_cast<float>(x) + 0.5f) / static_cast<float>(width), cosTheta));
-      for (int c = 0; c < 3; ++c)
-        image.channels[static_cast<size_t>(c)].values[static_cast<size_t>(y * width + x)] = radiance[c];
+      const size_t at = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+      for (int c = 0; c < 3; ++c) image.channels[static_cast<size_t>(c)].values[at] = radiance[c];
     }
   return image;
 }

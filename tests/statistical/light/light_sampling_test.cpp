@@ -159,14 +159,15 @@ TEST(LightSampling, SunIsDrawnEvenlyOverItsDisc) {
 template <class AnyLight>
 double irradianceByQuadrature(const AnyLight& lighting, glm::dvec3 sun, int n) {
   const double cap = 4 * kSunHalfAngle;
+  const int rows = n / 2;
   double sum = 0;
-  for (int row = 0; row < n / 2; ++row) {
-    const double z = (row + 0.5) / (n / 2);
+  for (int row = 0; row < rows; ++row) {
+    const double z = (row + 0.5) / rows;
     for (int column = 0; column < n; ++column) {
       const glm::vec3 d =
           latLongDirection((static_cast<float>(column) + 0.5f) / static_cast<float>(n), static_cast<float>(z));
       if (glm::dot(glm::dvec3(d), sun) > std::cos(cap)) continue;
-      sum += luminance(lighting.escape(d)) * z * (2 * kPi / n) / (n / 2);
+      sum += luminance(lighting.escape(d)) * z * (2 * kPi / n) / rows;
     }
   }
   const glm::dvec3 x = glm::normalize(glm::cross(sun, glm::dvec3(0.3, 0.2, 0.9))), y = glm::cross(sun, x);

@@ -47,7 +47,7 @@ bool agree(const std::optional<FibreHit>& hit, const std::optional<test::FibreOr
 
 class FewFibres : public testing::Test {
  protected:
-  explicit FewFibres(Fabric f = crossedFibres()) : scene(test::sceneOf(std::move(f))) {}
+  explicit FewFibres(const Fabric& fabric = crossedFibres()) : scene(test::sceneOf(fabric)) {}
 
   /// The end's segment at a height of the picture, far from the pick.
   const test::FibreOracle::Segment& warpAt(double y) const {

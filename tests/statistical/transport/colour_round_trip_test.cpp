@@ -98,7 +98,7 @@ std::vector<Spectrum> swatchesBelow(const Spectrum& undyed) {
     for (const double depth : {0.75, 0.4, 0.2}) {
       Spectrum swatch;
       for (size_t j = 0; j < kBands; ++j) {
-        const double away = (bandWavelength_nm(j) - (420 + 38 * hue)) / 70;
+        const double away = (bandWavelength_nm(j) - (420 + 38 * hue)) / 70.0;
         const double hill = std::exp(-away * away);
         swatch[j] = static_cast<float>(undyed[j] * depth * (0.35 + 0.6 * (hue % 2 ? 1 - hill : hill)));
       }

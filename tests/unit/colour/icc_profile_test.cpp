@@ -1,5 +1,6 @@
 #include "render/colour/icc_profile.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lcms2.h>
 
@@ -169,7 +170,8 @@ TEST(IccProfile, SurvivesWhatIsBroken) {
           return std::min({c.r, c.g, c.b}) >= 0 && std::max({c.r, c.g, c.b}) <= 1 && c.a >= 0;
         };
         EXPECT_TRUE(std::all_of(cube.corners().begin(), cube.corners().end(), isColour));
-      } catch (const InputError&) {
+      } catch (const InputError& refused) {
+        EXPECT_THAT(refused.what(), testing::HasSubstr("broken.icc"));
       }
     };
     std::mt19937 random(3);

@@ -114,7 +114,10 @@ TEST(Parting, PartsEightSectionsSideBySide) {
     for (int lane = 0; lane < 7; ++lane)
       sections.push_back(plySection(FibreLayout::random, count, radius, {1}, 20 + static_cast<uint64_t>(lane)));
     DiscCentres apart;
-    for (int i = 0; i < count; ++i) apart.emplace_back(4.0 * (i % 11) - 20, 4.0 * (i / 11) - 20);
+    for (int i = 0; i < count; ++i) {
+      const int column = i % 11, row = i / 11;
+      apart.emplace_back(4.0 * column - 20, 4.0 * row - 20);
+    }
     sections.push_back(apart);
     SectionLanes lanes = sideBySide(sections);
     Parting parting(fibres);

@@ -36,7 +36,7 @@ std::string wide(const std::string& name) {
   return text + big(0, 2);
 }
 
-std::string aseColour(const std::string& name, const std::string& model, std::vector<float> parts) {
+std::string aseColour(const std::string& name, const std::string& model, const std::vector<float>& parts) {
   std::string block = big(name.size() + 1, 2) + wide(name) + model;
   for (const float part : parts) block += bigFloat(part);
   block += big(2, 2);
@@ -51,7 +51,7 @@ std::string aseFile() {
 }
 
 std::string acoFile() {
-  const auto colour = [](int space, std::vector<int> numbers) {
+  const auto colour = [](int space, const std::vector<int>& numbers) {
     std::string text = big(static_cast<uint64_t>(space), 2);
     for (const int number : numbers) text += big(static_cast<uint16_t>(number), 2);
     return text;
@@ -194,7 +194,8 @@ TEST(PaletteFile, OfAnyDamageIsReadOrRefused) {
       try {
         for (const NamedColour& colour : paletteFrom(mutated(whole, random), name).colours)
           for (int c = 0; c < 3; ++c) EXPECT_TRUE(colour.linear[c] >= 0 && colour.linear[c] <= 1);
-      } catch (const InputError&) {
+      } catch (const InputError& refused) {
+        EXPECT_THAT(refused.what(), testing::HasSubstr(name));
       }
     }
 }
