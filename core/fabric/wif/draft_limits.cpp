@@ -15,9 +15,9 @@ int mostShafts() {
   return static_cast<int>(fieldInfo(&Draft::shafts).max);
 }
 
-int largestOf(std::initializer_list<const ShaftLists*> all) {
+int largestOf(std::initializer_list<const NumberLists*> all) {
   int most = 0;
-  for (const ShaftLists* lists : all)
+  for (const NumberLists* lists : all)
     for (const std::vector<int>& list : *lists)
       if (!list.empty()) most = std::max(most, list.back());
   return most;
@@ -31,7 +31,7 @@ void fewerShafts(Draft& draft, const std::string& source, WifWarnings& warnings)
                  fmt::format("Shafts up to {} are lifted, and there can be {}; no end hangs on those beyond, which are "
                              "left out. The cloth is the same.",
                              lifted, mostShafts()));
-    for (ShaftLists* lists : {&draft.tieUp, &draft.liftplan})
+    for (NumberLists* lists : {&draft.tieUp, &draft.liftplan})
       for (std::vector<int>& list : *lists)
         list.erase(std::upper_bound(list.begin(), list.end(), mostShafts()), list.end());
     return;

@@ -12,9 +12,10 @@ namespace loomlight {
 /// So many shafts a draft has at most, and so many treadles.
 int mostShafts();
 
-using ShaftLists = std::vector<std::vector<int>>;
+/// Of each end, treadle or pick, the numbers of its shafts or treadles.
+using NumberLists = std::vector<std::vector<int>>;
 /// The largest number in lists that are sorted; 0 where there is none.
-int largestOf(std::initializer_list<const ShaftLists*> all);
+int largestOf(std::initializer_list<const NumberLists*> all);
 
 /// Lifts of shafts that no end hangs on move nothing, and are dropped; where ends do hang on more shafts than there can
 /// be, those that always go together become one. The lists are sorted; threading, tie-up, treadling or liftplan and the

@@ -19,8 +19,6 @@
 namespace loomlight {
 namespace {
 
-using Lists = ShaftLists;
-
 class DraftReader {
  public:
   DraftReader(const WifSections& sections, const WifCounting& counting, const std::string& source,
@@ -118,8 +116,8 @@ class DraftReader {
   }
 
   /// The lines of a section as lists of shafts or treadles, one for each of `count` threads or treadles.
-  Lists lists(const WifSection* section, const Lines& lines, const char* what, const Listed& listed) {
-    Lists all(static_cast<size_t>(lines.count));
+  NumberLists lists(const WifSection* section, const Lines& lines, const char* what, const Listed& listed) {
+    NumberLists all(static_cast<size_t>(lines.count));
     int named = 0;
     forEachNumbered(section, lines.first, lines.count, what, warnings_, [&](int number, const WifEntry& entry) {
       all[number - 1] = list(*section, entry, listed);
@@ -200,7 +198,7 @@ class DraftReader {
     if (!trodden) {
       warnings_.add(0, "TREADLING", "",
                     "Neither a treadling nor a liftplan says what is lifted; no pick lifts anything.");
-    } else if (!draft.tieUp.empty() && draft.tieUp == Lists(draft.tieUp.size())) {
+    } else if (!draft.tieUp.empty() && draft.tieUp == NumberLists(draft.tieUp.size())) {
       warnings_.add(0, "TIEUP", "", "No shaft is tied to any treadle; no pick lifts anything.");
     }
   }
