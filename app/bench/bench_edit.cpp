@@ -62,7 +62,7 @@ struct Bench {
   int threads = 1;
   std::stop_token stop;
 
-  int rounds() const { return quick ? 1 : 5; }
+  int rounds() const { return quick ? 1 : 20; }
   int strokeLength() const { return quick ? 20 : 100; }
   int width() const { return quick ? 64 : 640; }
   int height() const { return quick ? 48 : 400; }

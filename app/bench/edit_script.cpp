@@ -54,10 +54,11 @@ Fabric painted(Fabric fabric, int pick, int end) {
 /// A square of the weave copied to another place.
 Fabric pasted(Fabric fabric, int round) {
   const Weave from = fabric.weave;
+  const int along = round / from.picks();
   const int side = std::max(2, std::min({32, from.ends() / 2, from.picks() / 2}));
   for (int p = 0; p < side; ++p)
     for (int e = 0; e < side; ++e) {
-      const int pick = (p + side / 2 + 1 + round) % from.picks(), end = (e + side / 2 + 1) % from.ends();
+      const int pick = (p + side / 2 + 1 + round) % from.picks(), end = (e + side / 2 + 1 + along) % from.ends();
       fabric.weave = fabric.weave.with(pick, end, from.at(p, e));
     }
   return fabric;
@@ -78,7 +79,7 @@ std::vector<EditedCloth> editedCloths(bool quick) {
 std::vector<EditKind> editKinds() {
   const auto times = [](double value, int round) { return value * (1.05 + 0.01 * round); };
   return {{"paint one crossing", Voxelises::crossing,
-           [](Fabric f, int round) { return painted(std::move(f), 3 + 5 * round, 2 + 3 * round); }},
+           [](Fabric f, int round) { return painted(std::move(f), 3 + 5 * round, 2 + 3 * round + round / 8); }},
           {"paste an area", Voxelises::anything, [](Fabric f, int round) { return pasted(std::move(f), round); }},
           {"resize the repeat", Voxelises::anything,
            [](Fabric f, int round) {

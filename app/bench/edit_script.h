@@ -29,7 +29,7 @@ struct EditKind {
   };
   std::string name;
   Voxelises voxelises = Voxelises::anything;
-  /// Every round makes an edit that none before it has made.
+  /// Each of the first 64 rounds makes an edit that none before it has made, so that nothing of it is known.
   std::function<Fabric(Fabric fabric, int round)> apply;
 };
 inline constexpr int kMostOfCrossing = 64;

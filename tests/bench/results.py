@@ -17,7 +17,7 @@ import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
 # All of `clear` would take a day: every cloth as it is opened, also in a large picture, and every edit of one.
-CLEAR = ("clear", "--seconds", "6", "--reference", "256", "--only")
+CLEAR = ("clear", "--seconds", "6", "--reference", "1024", "--only")
 SUITES = {
     "accuracy": ("accuracy",),
     "closeup": ("closeup",),
