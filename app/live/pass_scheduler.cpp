@@ -40,6 +40,11 @@ PassPlan nextPass(const PassHistory& h, uint32_t samplesWanted) {
     const int divider = firstDivider(h);
     return {divider, 1};
   }
+  // What repeats share learns as much of a coarse path, which meets no fibres that would have to be laid first.
+  constexpr double kBeforeFibres = 2;  // paths for each pixel at full resolution
+  const bool isNextFine = h.divider == 2 || h.divider == 3;
+  if (h.waitsForFibres && isNextFine && h.coarseSamples * pathsAt(h, h.divider) < kBeforeFibres * pathsAt(h, 1))
+    return {h.divider, h.coarseSamples + 1};
   // Half the divider at a time, so that no step leaps to the eye: together they cost a third of the first fine one.
   if (h.divider > 1) return {h.divider / 2, 1};
   if (h.samples >= samplesWanted) return {1, 0};
@@ -50,10 +55,11 @@ PassPlan nextPass(const PassHistory& h, uint32_t samplesWanted) {
 
 uint32_t hitsWanted(const PassHistory& h) {
   if (h.divider == 0) return 0;  // nothing would be seen sooner than the first coarse pass
-  // Of a third of the resolution cells have heard little yet: the fine pass after it is not to wait.
-  if (h.divider > 2) return 1;
-  if (h.samples == 0) return 4;
-  return h.samples == 1 ? 8 : 16;
+  if (h.samples > 0) return h.samples == 1 ? 8 : 16;
+  // Of a third of the resolution cells have heard little yet: what comes next is not to wait. As they hear more of
+  // coarse paths, pixels of few first fibres would be what one sees of noise.
+  constexpr uint32_t kPasses = 3;  // to one round of first fibres, which takes about as long
+  return (h.divider > 2 ? 1 : 4) + h.coarseSamples / kPasses;
 }
 
 Subject nextSubject(const Contender& picture, const Contender& inset) {

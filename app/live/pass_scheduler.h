@@ -30,11 +30,14 @@ struct FirstPass {
 
 /// What it has done since the last restart.
 struct PassHistory {
-  int width = 0, height = 0;  ///< of the full picture
-  double secondsPerPath = 0;  ///< measured, on all threads together; 0: nothing measured yet
-  int divider = 0;            ///< of the last pass; 0: none yet
-  uint32_t samples = 0;       ///< at full resolution
-  double seconds = 0;         ///< since the restart
+  int width = 0, height = 0;   ///< of the full picture
+  double secondsPerPath = 0;   ///< measured, on all threads together; 0: nothing measured yet
+  int divider = 0;             ///< of the last pass; 0: none yet
+  uint32_t coarseSamples = 0;  ///< of the last pass, where that was coarse
+  uint32_t samples = 0;        ///< at full resolution
+  double seconds = 0;          ///< since the restart
+  /// Light is shared between repeats, and the first paths at full resolution would wait for fibres to be laid.
+  bool waitsForFibres = false;
   FirstPass first{};
 };
 

@@ -78,6 +78,7 @@ void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes&
   else
     shared_ = std::make_unique<SharedLight>(cloth_.scene, cloth_.medium, fine_.width(), fine_.height());
   knowsLight_ = shared_->knows();
+  history_.waitsForFibres = shared_->waitsForFibres();
 }
 
 void Refinement::beginWith(const FirstPass& first) {
@@ -112,7 +113,7 @@ Film& Refinement::filmFor(int divider) {
 Refinement::Pass Refinement::beginPass() const {
   constexpr uint32_t kFadeSteps = 8;  // at least, however quick the machine
   PassPlan plan = nextPass(history_, samplesWanted());
-  if (fading())
+  if (fading() && plan.divider == 1)
     plan.samples = std::min(plan.samples, history_.samples + std::max(1u, standIn_->samples() / kFadeSteps));
   const PixelRect all = coarser(window_, plan.divider);
   if (shared_ && plan.divider == 1 && history_.samples < SharedLight::kEnough)
@@ -251,6 +252,7 @@ void Refinement::endPass() {
   pass_.reset();
   known_.reset();
   history_.divider = plan.divider;
+  history_.coarseSamples = plan.divider > 1 ? plan.samples : 0;
   if (!coarse_.empty()) coarse_.erase(coarse_.begin(), coarse_.end() - 1);
   if (plan.divider == 1) {
     history_.samples = plan.samples;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "render/media/close_up_medium.h"
 #include "render/scene/camera_rays.h"
+#include "render/scene/fibre_bricks.h"
 
 namespace loomlight {
 namespace {
@@ -23,6 +25,12 @@ bool haveLikeVoxels(const Scene& a, const Scene& b) {
   constexpr int kThicker = 2;
   const glm::ivec3 apart = glm::abs(a.cloth->volume->grid().cell - b.cloth->volume->grid().cell);
   return apart.x == 0 && apart.y == 0 && apart.z <= kThicker;
+}
+
+/// Of a pixel as far away as the camera's target.
+float pixelSize_mm(const Scene& scene, int width, int height) {
+  const Camera& camera = scene.fabric->camera;
+  return CameraRays(camera, width, height).pixelSize_mm(static_cast<float>(camera.distance_mm));
 }
 
 /// Whether media of both meet the same fibres first.
@@ -51,9 +59,7 @@ SharedFate sharedFate(const Changes& edit) {
 
 bool SharedLight::serves(const Scene& scene, int width, int height) {
   if (scene.cloth->method != Method::volume) return false;
-  const Camera& camera = scene.fabric->camera;
-  const float pixel_mm = CameraRays(camera, width, height).pixelSize_mm(static_cast<float>(camera.distance_mm));
-  return scene.cloth->volume->grid().size_mm.x <= kWidestVoxel_pixels * pixel_mm;
+  return scene.cloth->volume->grid().size_mm.x <= kWidestVoxel_pixels * pixelSize_mm(scene, width, height);
 }
 
 SharedLight::SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width,
@@ -97,6 +103,11 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
     hits_ = std::make_unique<FirstHits>(width, height);
   }
   deposits_ = std::make_unique<CellDeposits>(*scene_, *cells_, *hits_);
+}
+
+bool SharedLight::waitsForFibres() const {
+  const TraceData& cloth = *scene_->cloth;
+  return closeUpChance(cloth, pixelSize_mm(*scene_, hits_->width(), hits_->height())) > 0 && cloth.fibres->made() == 0;
 }
 
 uint32_t SharedLight::samplesAtOnce(int width, int height) {
