@@ -345,10 +345,12 @@ Frame Refinement::frame() const {
   return frame;
 }
 
-/// A moved picture that was young itself gives way to the first sample of each pixel: it says more than light that is
-/// shared does of few first fibres, and less than that light does of paths of this view.
+/// A moved picture that was young itself gives way to the first sample of each pixel, or to light that is shared of
+/// some first fibres: it says more than that does of fewer, and less than that does of paths of this view.
 bool Refinement::showsMoved() const {
-  return standIn_ && standIn_->isMoved() && (!standIn_->isYoungView() || !sharesLight() || history_.samples == 0);
+  constexpr uint32_t kSome = 4;
+  if (!standIn_ || !standIn_->isMoved()) return false;
+  return !standIn_->isYoungView() || !sharesLight() || (history_.samples == 0 && shared_->hits() < kSome);
 }
 
 /// How much of a pixel what stands in still is, where light is shared.

@@ -107,7 +107,8 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
 
 bool SharedLight::waitsForFibres() const {
   const TraceData& cloth = *scene_->cloth;
-  return closeUpChance(cloth, pixelSize_mm(*scene_, hits_->width(), hits_->height())) > 0 && cloth.fibres->made() == 0;
+  if (closeUpChance(cloth, pixelSize_mm(*scene_, hits_->width(), hits_->height())) <= 0) return false;
+  return 2 * cloth.fibres->made() < cloth.volume->counts().bricks;
 }
 
 uint32_t SharedLight::samplesAtOnce(int width, int height) {

@@ -58,7 +58,7 @@ class SharedLight {
   FirstFibreSink* listener(uint32_t samples, int divider);
   /// After that pass.
   void settle() { deposits_->settle(); }
-  /// Whether some of the film's paths at full resolution will go among fibres of which none are laid yet.
+  /// Whether some of the film's paths at full resolution will go among fibres, of which most are not laid yet.
   bool waitsForFibres() const;
   uint32_t hits() const { return hits_->perPixel(); }  ///< first fibres of every pixel
   /// Of those, what a pixel keeps beside the first fibres of so many samples of its own.
