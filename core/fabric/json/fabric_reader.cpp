@@ -317,9 +317,9 @@ Weave readWeave(const json& value, const FieldPath& path) {
 }
 
 /// Entries of a draft: a number or a list of numbers each.
-std::vector<std::vector<int>> readDraftList(const json& value, const FieldPath& path) {
+NumberLists readDraftList(const json& value, const FieldPath& path) {
   const json::array_t& list = readList(value, "a list of numbers, or of lists of numbers", path);
-  std::vector<std::vector<int>> entries(list.size());
+  NumberLists entries(list.size());
   for (size_t i = 0; i < list.size(); ++i) {
     const FieldPath here = path.at(i);
     const double most = fieldInfo(&Draft::shafts).max;
@@ -336,7 +336,7 @@ Draft readDraft(json value, const FieldPath& path) {
   ObjectReader reader(std::move(value), path);
   Draft draft;
   reader.takeFields(draft);
-  const auto list = [&](const char* key, std::vector<std::vector<int>>& entries) {
+  const auto list = [&](const char* key, NumberLists& entries) {
     if (const std::optional<json> found = reader.take(key)) entries = readDraftList(*found, path.at(key));
   };
   list("threading", draft.threading);

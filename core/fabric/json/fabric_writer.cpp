@@ -128,7 +128,7 @@ Json weaveToJson(const Weave& weave) {
   return json;
 }
 
-Json draftListToJson(const std::vector<std::vector<int>>& list) {
+Json draftListToJson(const NumberLists& list) {
   Json json = Json::array();
   for (const std::vector<int>& entry : list) json.push_back(entry.size() == 1 ? Json(entry[0]) : Json(entry));
   return json;

@@ -84,8 +84,7 @@ void checkRender(const RenderSettings& render, const FieldPath& path) {
 }
 
 /// A list of a draft: one entry an end, treadle or pick, each a list of shaft or treadle numbers, 0 for none.
-void checkDraftList(const std::vector<std::vector<int>>& list, int kinds, const char* kind, int mostNumbers,
-                    const FieldPath& path) {
+void checkDraftList(const NumberLists& list, int kinds, const char* kind, int mostNumbers, const FieldPath& path) {
   if (list.size() > static_cast<size_t>(Weave::kMaxSide))
     path.reject(fmt::format("at most {} entries", Weave::kMaxSide), fmt::format("{}", list.size()));
   size_t numbers = 0;

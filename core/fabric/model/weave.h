@@ -55,16 +55,19 @@ class Weave {
   Rows rows_;
 };
 
+/// Of each end, treadle or pick, the numbers of its shafts or treadles.
+using NumberLists = std::vector<std::vector<int>>;
+
 /// Threading, tie-up and treadling (or a liftplan): how a loom makes a weave. Shafts and treadles count from 1, as
 /// weavers and WIF files do; 0 or an empty list means none.
 struct Draft {
   int shafts = 0;
   int treadles = 0;
-  std::vector<std::vector<int>> threading;  ///< per end: the shafts it hangs on, usually one
-  std::vector<std::vector<int>> tieUp;      ///< per treadle: the shafts tied to it
-  std::vector<std::vector<int>> treadling;  ///< per pick: the treadles pressed
-  std::vector<std::vector<int>> liftplan;   ///< per pick: the shafts raised; used instead of tie-up where not empty
-  bool risingShed = true;                   ///< false: a tied shaft is pulled down (sinking shed)
+  NumberLists threading;   ///< per end: the shafts it hangs on, usually one
+  NumberLists tieUp;       ///< per treadle: the shafts tied to it
+  NumberLists treadling;   ///< per pick: the treadles pressed
+  NumberLists liftplan;    ///< per pick: the shafts raised; used instead of tie-up where not empty
+  bool risingShed = true;  ///< false: a tied shaft is pulled down (sinking shed)
 
   UnknownKeys unknown;
   friend bool operator==(const Draft&, const Draft&);

@@ -132,7 +132,7 @@ Draft swappable(const Draft& draft) {
 
 Draft withLiftplan(Draft draft) {
   if (draft.liftplan.empty() && !draft.risingShed) draft = swappable(draft);
-  std::vector<std::vector<int>> liftplan;
+  NumberLists liftplan;
   for (size_t pick = 0; pick < picksOf(draft); ++pick) liftplan.push_back(raisedShafts(draft, pick));
   draft.liftplan = std::move(liftplan);
   draft.tieUp.clear();

@@ -17,9 +17,7 @@
 namespace loomlight {
 namespace {
 
-using Lines = std::vector<std::vector<int>>;
-
-Lines& linesOf(Draft& draft, DraftPart part) {
+NumberLists& linesOf(Draft& draft, DraftPart part) {
   switch (part) {
     case DraftPart::threading:
       return draft.threading;
@@ -35,7 +33,7 @@ Lines& linesOf(Draft& draft, DraftPart part) {
   return draft.liftplan;
 }
 
-const Lines& linesOf(const Draft& draft, DraftPart part) {
+const NumberLists& linesOf(const Draft& draft, DraftPart part) {
   switch (part) {
     case DraftPart::threading:
       return draft.threading;
@@ -49,13 +47,13 @@ const Lines& linesOf(const Draft& draft, DraftPart part) {
   return draft.liftplan;
 }
 
-void dropBeyond(Lines& lines, int most) {
+void dropBeyond(NumberLists& lines, int most) {
   for (std::vector<int>& line : lines)
     line.erase(std::remove_if(line.begin(), line.end(), [most](int number) { return number > most; }), line.end());
 }
 
-Lines continued(const Lines& lines, int size) {
-  Lines longer;
+NumberLists continued(const NumberLists& lines, int size) {
+  NumberLists longer;
   longer.reserve(static_cast<size_t>(size));
   for (size_t i = 0; i < static_cast<size_t>(size); ++i) longer.push_back(lines[i % lines.size()]);
   return longer;
@@ -63,7 +61,7 @@ Lines continued(const Lines& lines, int size) {
 
 /// For each number 1..count used one a line in `lines`, the number that most of its lines have in `like`, each at most
 /// once; what has none keeps the order in which it comes. Entry 0 stands for none.
-std::vector<int> numbersAs(const Lines& lines, int count, const Lines& like) {
+std::vector<int> numbersAs(const NumberLists& lines, int count, const NumberLists& like) {
   std::map<std::pair<int, int>, int> votes;  // (ours, theirs)
   for (size_t i = 0; i < std::min(lines.size(), like.size()); ++i)
     if (!lines[i].empty() && like[i].size() == 1 && like[i][0] >= 1 && like[i][0] <= count)
@@ -88,7 +86,7 @@ std::vector<int> numbersAs(const Lines& lines, int count, const Lines& like) {
   return numberOf;
 }
 
-void renumber(Lines& lines, const std::vector<int>& numberOf) {
+void renumber(NumberLists& lines, const std::vector<int>& numberOf) {
   for (std::vector<int>& line : lines) {
     for (int& number : line) number = numberOf[number];
     std::sort(line.begin(), line.end());
@@ -102,7 +100,7 @@ Draft numberedAs(Draft draft, const Draft& like) {
   renumber(draft.threading, shaft);
   renumber(draft.tieUp, shaft);
   renumber(draft.treadling, treadle);
-  Lines tieUp(draft.tieUp.size());
+  NumberLists tieUp(draft.tieUp.size());
   for (size_t i = 0; i < tieUp.size(); ++i) tieUp[treadle[i + 1] - 1] = std::move(draft.tieUp[i]);
   draft.tieUp = std::move(tieUp);
   return draft;
@@ -111,7 +109,7 @@ Draft numberedAs(Draft draft, const Draft& like) {
 }  // namespace
 
 std::span<const int> numbersOf(const Draft& draft, DraftPart part, int line) {
-  const Lines& lines = linesOf(draft, part);
+  const NumberLists& lines = linesOf(draft, part);
   if (static_cast<size_t>(line) >= lines.size()) return {};
   return lines[line];
 }

@@ -12,8 +12,6 @@ namespace loomlight {
 /// So many shafts a draft has at most, and so many treadles.
 int mostShafts();
 
-/// Of each end, treadle or pick, the numbers of its shafts or treadles.
-using NumberLists = std::vector<std::vector<int>>;
 /// The largest number in lists that are sorted; 0 where there is none.
 int largestOf(std::initializer_list<const NumberLists*> all);
 

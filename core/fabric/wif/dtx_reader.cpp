@@ -86,8 +86,8 @@ class DtxReader {
   }
 
   /// Numbers between blanks; those joined by commas together. Blanks may follow a comma.
-  std::vector<std::vector<int>> groups(const char* name, int most) {
-    std::vector<std::vector<int>> all;
+  NumberLists groups(const char* name, int most) {
+    NumberLists all;
     const Section* const section = find(name);
     if (!section) return all;
     bool joins = false;
@@ -135,7 +135,7 @@ class DtxReader {
     return all;
   }
 
-  static void tidy(std::vector<std::vector<int>>& lists, int count) {
+  static void tidy(NumberLists& lists, int count) {
     lists.resize(static_cast<size_t>(count));
     for (std::vector<int>& list : lists) {
       std::sort(list.begin(), list.end());
@@ -244,7 +244,7 @@ class DtxReader {
 
   std::vector<int> colours(const char* name, int threads) {
     std::vector<int> all(static_cast<size_t>(threads), 0);
-    const std::vector<std::vector<int>> listed = groups(name, kMaxWifNumber - 1);
+    const NumberLists listed = groups(name, kMaxWifNumber - 1);
     for (size_t i = 0; i < listed.size() && i < all.size(); ++i) {
       const int number = listed[i].empty() ? 0 : listed[i][0] + 1;
       if (document_.rest.palette.colours.count(number) > 0)
@@ -261,7 +261,7 @@ class DtxReader {
 
   WifSizes sizes(const char* name, int threads) {
     WifSizes sizes;
-    const std::vector<std::vector<int>> steps = groups(name, 1000);
+    const NumberLists steps = groups(name, 1000);
     if (steps.empty()) return sizes;
     constexpr int kUsualSteps = 4;
     const auto length = [](int count) { return std::round(count * kStep_cm * 1e6) / 1e6; };

@@ -6,9 +6,7 @@
 namespace loomlight {
 namespace {
 
-using Lists = std::vector<std::vector<int>>;
-
-void cut(Lists& lists, int count) {
+void cut(NumberLists& lists, int count) {
   if (lists.size() > static_cast<size_t>(count)) lists.resize(static_cast<size_t>(count));
 }
 

@@ -22,8 +22,6 @@
 namespace loomlight {
 namespace {
 
-using Lists = std::vector<std::vector<int>>;
-
 /// Threads after which weave and colours repeat together; the weave's own repeat where that is too many.
 int commonRepeat(int weave, size_t sequence, const char* threads, std::vector<std::string>& remarks) {
   const int64_t both = std::lcm(static_cast<int64_t>(weave), static_cast<int64_t>(sequence));
@@ -34,7 +32,7 @@ int commonRepeat(int weave, size_t sequence, const char* threads, std::vector<st
   return fitting;
 }
 
-void repeatTo(Lists& lists, int count) {
+void repeatTo(NumberLists& lists, int count) {
   const size_t period = lists.size();
   if (period == 0) return;
   lists.reserve(static_cast<size_t>(count));
@@ -42,7 +40,7 @@ void repeatTo(Lists& lists, int count) {
 }
 
 /// As a WIF draft has its lists: sorted, each number once, none of them 0.
-void normalise(Lists& lists) {
+void normalise(NumberLists& lists) {
   for (std::vector<int>& list : lists) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -60,7 +58,7 @@ Draft draftFor(const Fabric& fabric, int ends, int picks, const std::string& fil
         fmt::format("The cloth has no threading of its own; the smallest one has {} shafts and {} treadles.",
                     draft.shafts, draft.treadles));
   }
-  for (Lists* lists : {&draft.threading, &draft.tieUp, &draft.treadling, &draft.liftplan}) normalise(*lists);
+  for (NumberLists* lists : {&draft.threading, &draft.tieUp, &draft.treadling, &draft.liftplan}) normalise(*lists);
   Draft treadled = draft;
   treadled.liftplan.clear();
   if (!draft.liftplan.empty() && !draft.treadling.empty() &&

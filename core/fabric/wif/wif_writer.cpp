@@ -143,7 +143,7 @@ class Writer {
     if (!lines.empty()) add(name, lines);
   }
 
-  static Lines lists(const std::vector<std::vector<int>>& lists) {
+  static Lines lists(const NumberLists& lists) {
     Lines lines;
     for (const std::vector<int>& list : lists)
       lines.push_back(numbered(lines.size() + 1, list.empty() ? "0" : fmt::format("{}", fmt::join(list, ","))));
