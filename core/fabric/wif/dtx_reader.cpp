@@ -27,6 +27,7 @@ namespace loomlight {
 namespace {
 
 constexpr double kStep_cm = 0.053;
+constexpr DraftSections kDtxSections{"threading", "tieup", "treadling", "liftplan", "@@threading"};
 
 struct Section {
   std::string name;  ///< lower case
@@ -137,11 +138,7 @@ class DtxReader {
 
   static void tidy(NumberLists& lists, int count) {
     lists.resize(static_cast<size_t>(count));
-    for (std::vector<int>& list : lists) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-      if (!list.empty() && list.front() == 0) list.erase(list.begin());
-    }
+    sortLists(lists);
   }
 
   /// The rows of a section, none of more columns than there can be threads.
@@ -191,9 +188,9 @@ class DtxReader {
       if (const Section* section = find(name))
         for (const std::string& line : section->properties)
           if (lowerCase(line).ends_with("sinking")) draft.risingShed = false;
-    fewerShafts(draft, source_, warnings_);
+    fewerShafts(draft, source_, kDtxSections, warnings_);
     draft.shafts = kinds("shafts", largestOf({&draft.threading, &draft.tieUp, &draft.liftplan}));
-    fewerTreadles(draft, warnings_);
+    fewerTreadles(draft, kDtxSections, warnings_);
     validateDraft(draft, FieldPath(source_));
   }
 

@@ -19,6 +19,8 @@
 namespace loomlight {
 namespace {
 
+constexpr DraftSections kWifSections{"THREADING", "TIEUP", "TREADLING", "LIFTPLAN", "[THREADING]"};
+
 class DraftReader {
  public:
   DraftReader(const WifSections& sections, const WifCounting& counting, const std::string& source,
@@ -45,9 +47,9 @@ class DraftReader {
           lists(treadling, {counting_.pick, picks}, "pick", {"treadle", counting_.pressedTreadle, Weave::kMaxSide});
     readTieUp(draft);
     draft.risingShed = risingShed();
-    fewerShafts(draft, source_, warnings_);
+    fewerShafts(draft, source_, kWifSections, warnings_);
     draft.shafts = kinds("Shafts", largestOf({&draft.threading, &draft.tieUp, &draft.liftplan}));
-    fewerTreadles(draft, warnings_);
+    fewerTreadles(draft, kWifSections, warnings_);
 
     if (!threading)
       warnings_.add(0, "THREADING", "", "There is no threading: no end hangs on a shaft, and nothing is lifted.");

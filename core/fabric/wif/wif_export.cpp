@@ -12,6 +12,7 @@
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/draft_derivation.h"
+#include "core/fabric/wif/draft_limits.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/wif/wif_writer.h"
@@ -39,15 +40,6 @@ void repeatTo(NumberLists& lists, int count) {
   for (size_t i = period; i < static_cast<size_t>(count); ++i) lists.push_back(std::vector<int>(lists[i - period]));
 }
 
-/// As a WIF draft has its lists: sorted, each number once, none of them 0.
-void normalise(NumberLists& lists) {
-  for (std::vector<int>& list : lists) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    if (!list.empty() && list.front() == 0) list.erase(list.begin());
-  }
-}
-
 Draft draftFor(const Fabric& fabric, int ends, int picks, const std::string& file, std::vector<std::string>& remarks) {
   Draft draft;
   if (fabric.draft) {
@@ -58,7 +50,7 @@ Draft draftFor(const Fabric& fabric, int ends, int picks, const std::string& fil
         fmt::format("The cloth has no threading of its own; the smallest one has {} shafts and {} treadles.",
                     draft.shafts, draft.treadles));
   }
-  for (NumberLists* lists : {&draft.threading, &draft.tieUp, &draft.treadling, &draft.liftplan}) normalise(*lists);
+  for (NumberLists* lists : {&draft.threading, &draft.tieUp, &draft.treadling, &draft.liftplan}) sortLists(*lists);
   Draft treadled = draft;
   treadled.liftplan.clear();
   if (!draft.liftplan.empty() && !draft.treadling.empty() &&

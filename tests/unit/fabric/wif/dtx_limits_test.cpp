@@ -77,7 +77,8 @@ TEST(DtxLimits, OfTreadlesBeyondADraftsTheLiftsAreKept) {
   const WifImport import = opened(section("Threading", "1 2") + section("Treadling", countedTo(kMany)) +
                                   section("Tieup", alternating(kMany, 1) + "\n" + alternating(kMany, 0)));
   expectPlain(import.fabric.weave, kMany, 2, 0);
-  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("The draft uses 5000 treadles, and there can be 4096")));
+  EXPECT_THAT(inLines(import.warnings),
+              Contains(HasSubstr("[treadling]: The draft uses 5000 treadles, and there can be 4096")));
 }
 
 TEST(DtxLimits, LiftsThatAreLeftOutAreTold) {
@@ -118,7 +119,7 @@ TEST(DtxLimits, ShaftsThatAllDifferAreRefusedByNumber) {
     lifts += '\n';
   }
   EXPECT_EQ(refusedFor(section("Threading", countedTo(kMany)) + section("Liftplan", lifts)),
-            "x.dtx: [THREADING]: expected at most 4096 shafts that differ, got more among 5000");
+            "x.dtx: @@threading: expected at most 4096 shafts that differ, got more among 5000");
 }
 
 // One by one, those of a large file would take long.
