@@ -85,7 +85,5 @@ class Spool {
   float asideOf_mm_[3] = {0, 0, 0};  ///< likewise
   std::vector<double> shares_;       ///< by kind
 };
-/// The most kinds that any has.
-inline constexpr int kMaxStretchKinds = 9;
 
 }  // namespace loomlight
