@@ -11,7 +11,6 @@
 #include "app/bench/studies/report_page.h"
 #include "app/cli/interrupt.h"
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/fabric/model/validate.h"
 #include "render/display/display_picture.h"
 
@@ -19,6 +18,16 @@ namespace loomlight {
 namespace {
 
 using Row = std::vector<std::string>;
+
+/// What is looked at: an edit of a cloth, with light shared between repeats or not.
+struct ClearCase {
+  const ClearSetting& setting;
+  const ClearEdit& edit;
+  bool shared;
+
+  /// The first columns of its rows.
+  Row columns() const { return {setting.cloth, setting.drape, setting.light, edit.name, shared ? "yes" : "no"}; }
+};
 
 struct ClearExtent {
   int width, height;
@@ -105,10 +114,11 @@ class ClearBench {
       validate(edited, edit.name);
       const ClearReference reference(edited, references(extent_.referenceSamples), task_);
       if (task_.stopped()) return false;
+      const double referenceNoise = reference.noise(task_.threads);
       for (const bool shared : {false, true}) {
         using Sharing = ClearBenchCommand::Sharing;
         if (command_.sharing == (shared ? Sharing::off : Sharing::on)) continue;
-        if (!measure(setting, edit, steps, reference, shared)) return false;
+        if (!measure({setting, edit, shared}, steps, reference, referenceNoise)) return false;
       }
     }
     return true;
@@ -118,35 +128,33 @@ class ClearBench {
     return {extent_.width, extent_.height, samples, command_.folder + "/references"};
   }
 
-  bool measure(const ClearSetting& setting, const ClearEdit& edit, const std::vector<Fabric>& steps,
-               const ClearReference& reference, bool shared) {
+  bool measure(const ClearCase& of, const std::vector<Fabric>& steps, const ClearReference& reference,
+               double referenceNoise) {
     LiveClock clock(extent_.width, extent_.height, command_.threads);
-    clock.shareLight(shared);
+    clock.shareLight(of.shared);
     const auto nothing = [](const std::shared_ptr<const Frame>&, double) {};
-    if (edit.name != "open" && !clock.watch(setting.fabric, extent_.seconds, nothing, task_.stop)) return false;
+    if (of.edit.name != "open" && !clock.watch(of.setting.fabric, extent_.seconds, nothing, task_.stop)) return false;
     const std::span dragged(steps.data(), steps.size() - 1);
     const std::vector<DragPicture> inDrag = watchDrag(clock, dragged, kDragInterval_s, reference, task_.stop);
     std::vector<std::shared_ptr<const Frame>> pictures;
     const ClearCourse course = watchClear(clock, steps.back(), reference, extent_.seconds, kTimes_s,
                                           command_.pictures ? &pictures : nullptr, task_);
     if (task_.stopped()) return false;
-    add(setting, edit, shared, course, reference.noise(task_.threads));
+    add(of, course, referenceNoise);
     if (!dragged.empty()) {
       clock.pause(true);
-      addDrag(setting, edit, shared, courseOf(inDrag, dragged, references(extent_.referenceSamples / 8), task_));
+      addDrag(of, courseOf(inDrag, dragged, references(extent_.referenceSamples / 8), task_));
       if (task_.stopped()) return false;
     }
     for (size_t i = 0; i < pictures.size(); ++i)
-      if (pictures[i]) addPicture(setting, edit, shared, kTimes_s[i], *pictures[i]);
-    fmt::print(stderr, "loomlight: {}, {}, light {}: {:.3f} after 1 s\n", setting.name(), edit.name,
-               shared ? "shared" : "not shared", course.at(1));
+      if (pictures[i]) addPicture(of, kTimes_s[i], *pictures[i]);
+    fmt::print(stderr, "loomlight: {}, {}, light {}: {:.3f} after 1 s\n", of.setting.name(), of.edit.name,
+               of.shared ? "shared" : "not shared", course.at(1));
     return true;
   }
 
-  void add(const ClearSetting& setting, const ClearEdit& edit, bool shared, const ClearCourse& course,
-           double referenceNoise) {
-    const Row about{setting.cloth, setting.drape, setting.light, edit.name, shared ? "yes" : "no"};
-    Row row = about;
+  void add(const ClearCase& of, const ClearCourse& course, double referenceNoise) {
+    Row row = of.columns();
     row.push_back(course.points.empty() ? "-" : secondsText(course.points.front().since_s));
     row.push_back(fmt::format("{:.3f}", course.first()));
     for (const double time_s : kTimes_s) {
@@ -159,28 +167,29 @@ class ClearBench {
     row.push_back(course.points.empty() ? "0" : std::to_string(course.points.back().samples));
     rows_.push_back(std::move(row));
     for (const ClearCourse::Point& point : course.points) {
-      Row one = about;
+      Row one = of.columns();
       one.insert(one.end(), {fmt::format("{:.3f}", point.since_s), std::to_string(point.samples),
                              fmt::format("{:.4f}", point.flip)});
       courses_.push_back(std::move(one));
     }
   }
 
-  void addDrag(const ClearSetting& setting, const ClearEdit& edit, bool shared, const DragCourse& course) {
-    drags_.push_back({setting.cloth, setting.drape, setting.light, edit.name, shared ? "yes" : "no",
-                      std::to_string(course.pictures), fmt::format("{:.3f}", course.interval_s),
-                      fmt::format("{:.3f}", course.flip), fmt::format("{:.3f}", course.worstFlip)});
+  void addDrag(const ClearCase& of, const DragCourse& course) {
+    Row& row = drags_.emplace_back(of.columns());
+    row.insert(row.end(), {std::to_string(course.pictures), fmt::format("{:.3f}", course.interval_s),
+                           fmt::format("{:.3f}", course.flip), fmt::format("{:.3f}", course.worstFlip)});
   }
 
-  void addPicture(const ClearSetting& setting, const ClearEdit& edit, bool shared, double time_s, const Frame& frame) {
+  void addPicture(const ClearCase& of, double time_s, const Frame& frame) {
     Frame shown = frame;
     shown.rgba.assign(frame.shown().begin(), frame.shown().end());
-    const std::string name = fmt::format("{}_{}_{}_{}_{}_{}", setting.cloth, setting.drape, setting.light, edit.name,
-                                         shared ? "shared" : "plain", time_s);
+    const auto& [cloth, drape, light, fabric] = of.setting;
+    const std::string name =
+        fmt::format("{}_{}_{}_{}_{}_{}", cloth, drape, light, of.edit.name, of.shared ? "shared" : "plain", time_s);
     const Pixels8 pixels = displayPicture(shown, Tone{});
     page_.picture(name, frame.divider > 1 ? magnified(pixels, frame.divider) : pixels,
-                  fmt::format("{}, {} after {} s, light {}", setting.name(), edit.name, time_s,
-                              shared ? "shared" : "not shared"));
+                  fmt::format("{}, {} after {} s, light {}", of.setting.name(), of.edit.name, time_s,
+                              of.shared ? "shared" : "not shared"));
   }
 
   const ClearBenchCommand& command_;
@@ -195,10 +204,7 @@ class ClearBench {
 int run(const ClearBenchCommand& command) {
   expectKnown(command.only);
   const Interrupt interrupt;
-  Task task;
-  task.stop = interrupt.token();
-  task.threads = hardwareThreads();
-  ClearBench bench(command, task);
+  ClearBench bench(command, interrupt.task(0));
   if (!bench.run()) return Interrupt::kExitStatus;
   fmt::print("{}\n", bench.finish());
   return 0;
