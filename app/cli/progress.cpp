@@ -88,6 +88,11 @@ void Progress::update(double fraction) {
     writeLine(elapsed_s);
 }
 
+Task Progress::of(Task work) {
+  work.progress = [this](double fraction) { update(fraction); };
+  return work;
+}
+
 void Progress::drawBar(double elapsed_s) {
   fmt::print(out_, "\r{}\033[K", progressBar(label_, fraction_, elapsed_s, columnsOf(out_)));
   std::fflush(out_);

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 
+#include "core/base/task.h"
 #include "core/fabric/model/choice_names.h"
 
 namespace loomlight {
@@ -37,6 +38,8 @@ class Progress {
 
   /// fraction in [0, 1]; one that goes backwards is ignored.
   void update(double fraction);
+  /// The same work, which updates it from now on; it must outlive that.
+  Task of(Task work);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -56,12 +56,12 @@ int run(const BrdfCommand& command) {
   const Interrupt interrupt;
   const auto fabric = std::make_shared<const Fabric>(patch(command));
   Progress progress("measuring");
-  Task task = interrupt.task(command.threads);
+  const Task task = interrupt.task(command.threads);
   const auto scene = makeScene(fabric, task);
   const auto medium = scene ? makeMedium(*scene, {command.memoryLimit_bytes, command.fibreExtent}, task) : nullptr;
-  task.progress = [&progress](double fraction) { progress.update(fraction); };
   const int samples = command.options.samplesPerPixel.value_or(BrdfCommand::kSamples);
-  const auto measure = medium ? measureHalfDome(*scene, *medium, command.grid, samples, task) : std::nullopt;
+  const auto measure =
+      medium ? measureHalfDome(*scene, *medium, command.grid, samples, progress.of(task)) : std::nullopt;
   if (!measure) return Interrupt::kExitStatus;
 
   const double unit = paperRadiance(fabric->light);

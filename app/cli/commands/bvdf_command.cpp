@@ -10,7 +10,6 @@
 #include "app/export/file_set.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
 #include "core/fabric/json/fabric_json.h"
@@ -86,8 +85,7 @@ int run(const BvdfCommand& command) {
   std::shared_ptr<const BvdfSet> set;
   {
     Progress progress("baking local visibility");
-    const Task task{interrupt.token(), [&progress](double fraction) { progress.update(fraction); },
-                    command.threads > 0 ? command.threads : hardwareThreads()};
+    const Task task = progress.of(interrupt.task(command.threads));
     set = bakeBvdf(fabric, bakeOptions(command), BvdfCache(BvdfCache::userFolder()), task);
   }
   if (!set || !write(command.output, fabric, *set, interrupt.task(command.threads))) return Interrupt::kExitStatus;

@@ -63,8 +63,7 @@ std::optional<Sample> wovenSample(const ColourSide& side, const ColourCommand& c
       side.part.empty() ? wholePiece() : partNamed(side.part, fabric, NamedParts::yarnsAndFibres, side.file);
   const Interrupt interrupt;
   Progress progress("tracing light through the cloth");
-  Task task = interrupt.task(command.threads);
-  task.progress = [&progress](double fraction) { progress.update(fraction); };
+  const Task task = progress.of(interrupt.task(command.threads));
   const auto paths = tracePathsForDyes(fabric, part, task, DyePaths::toJudge, kToldError);
   if (!paths) return std::nullopt;
   if (paths->lit() == 0)

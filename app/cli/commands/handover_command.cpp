@@ -17,8 +17,7 @@ bool handOver(const HandoverPart& part, const HandoverCommand& command, const In
   std::optional<HandoverReport> report;
   {
     Progress progress("handing over");
-    Task task = interrupt.task(command.threads);
-    task.progress = [&progress](double fraction) { progress.update(fraction); };
+    const Task task = progress.of(interrupt.task(command.threads));
     report = loomlight::handOver(part, command.order, command.memoryLimit_bytes, task);
   }
   if (!report) return false;

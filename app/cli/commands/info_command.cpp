@@ -358,10 +358,7 @@ int run(const InfoCommand& command) {
   std::shared_ptr<const Scene> scene;
   {
     Progress progress("voxelising");
-    Task task;
-    task.stop = interrupt.token();
-    task.progress = [&progress](double fraction) { progress.update(fraction); };
-    scene = makeScene(std::make_shared<const Fabric>(fabric), task);
+    scene = makeScene(std::make_shared<const Fabric>(fabric), progress.of(interrupt.task(0)));
   }
   auto names = scene ? yarnNames(*named, interrupt.task(0)) : std::nullopt;
   if (!names) return Interrupt::kExitStatus;

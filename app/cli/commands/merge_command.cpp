@@ -40,9 +40,7 @@ int run(const MergeCommand& command) {
   std::optional<Film> film;
   {
     Progress progress("merging", command.progress);
-    Task task = interrupt.task(0);
-    task.progress = [&progress](double fraction) { progress.update(fraction); };
-    film = mergeParts(plan, command.parts, task);
+    film = mergeParts(plan, command.parts, progress.of(interrupt.task(0)));
   }
   if (!film) return Interrupt::kExitStatus;
   if (command.keepSums || !plan.missing.empty())

@@ -135,7 +135,7 @@ std::string fibresLaid(const Scene& scene, const FibreOptions& options) {
 }
 
 /// Null when stopped. Says beforehand what fibres will take.
-std::shared_ptr<const Medium> buildMedium(const Scene& scene, const FibreOptions& options, Task task,
+std::shared_ptr<const Medium> buildMedium(const Scene& scene, const FibreOptions& options, const Task& task,
                                           ProgressStyle style, MediumCost& cost) {
   const RenderSettings& settings = scene.fabric->render;
   const bool fibres = settings.method == Method::fibres;
@@ -146,18 +146,16 @@ std::shared_ptr<const Medium> buildMedium(const Scene& scene, const FibreOptions
                size.bytes * 1e-9, repeatText(size));
   }
   Progress progress(fibres ? "laying fibres" : "baking visibility", style);
-  task.progress = [&progress](double fraction) { progress.update(fraction); };
-  return makeMedium(scene, options, task, &cost);
+  return makeMedium(scene, options, progress.of(task), &cost);
 }
 
 /// Builds what differs from what was built before. False when stopped.
-bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& options, Task task, ProgressStyle style,
-           ReusableCloth& built) {
+bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& options, const Task& task,
+           ProgressStyle style, ReusableCloth& built) {
   std::shared_ptr<const Scene> scene;
   {
     Progress progress("voxelising", style);
-    task.progress = [&progress](double fraction) { progress.update(fraction); };
-    scene = makeScene(fabric, task, built.scene.get());
+    scene = makeScene(fabric, progress.of(task), built.scene.get());
   }
   if (!scene) return false;
   const bool sameCloth = built.scene && built.scene->cloth == scene->cloth;

@@ -55,8 +55,7 @@ int run(const SheetCommand& command) {
   options.standards = standardsOf(command, fabric);
   const Interrupt interrupt;
   Progress progress("rendering the cloth");
-  Task task = interrupt.task(command.threads);
-  task.progress = [&progress](double fraction) { progress.update(fraction); };
+  const Task task = progress.of(interrupt.task(command.threads));
   const auto write = command.colourways ? writeColourwaySheet : writeClothSheet;
   if (!write(command.output, fabric, options, task)) return Interrupt::kExitStatus;
   fmt::print("{}, {}\n", command.output, durationText(whole.lap()));

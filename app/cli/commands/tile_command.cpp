@@ -25,8 +25,7 @@ int run(const TileCommand& command) {
   const std::string stem = (std::filesystem::path(command.folder) / portableFileName(fabric.name)).string();
   const Interrupt interrupt;
   Progress progress("rendering the tile");
-  Task task = interrupt.task(command.threads);
-  task.progress = [&progress](double fraction) { progress.update(fraction); };
+  const Task task = progress.of(interrupt.task(command.threads));
   const auto tile = makeTile(fabric, stem, command.order, command.memoryLimit_bytes, task);
   if (!tile) return Interrupt::kExitStatus;
   fmt::print("{}.json and {} maps, {}\n", stem, tile->files.size() - 1, durationText(whole.lap()));
