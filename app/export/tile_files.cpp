@@ -14,8 +14,6 @@
 namespace loomlight {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
-
 /// A picture of the maps: three bytes a pixel from its index.
 template <class Colour>
 Pixels8 picture(const TileMaps& maps, const Colour& colour) {

@@ -13,5 +13,6 @@ enum class System { warp = 0, weft = 1 };
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr auto kPiF = static_cast<float>(kPi);
 inline constexpr double kMmPerUm = 1e-3;
+inline constexpr double kMmPerInch = 25.4;
 
 }  // namespace loomlight

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/units.h"
 #include "ui/draft/draft_drawing.h"
 
 namespace loomlight {
@@ -10,7 +11,7 @@ namespace {
 /// Millimetres between labels, so that they stand apart: 1, 2 or 5 times a power of ten of the unit, or for inches
 /// halves of a power of two.
 double labelStep_mm(double perPixel_mm, float least_px, bool inches) {
-  const double unit_mm = inches ? 25.4 : 10.0, least = perPixel_mm * least_px / unit_mm;
+  const double unit_mm = inches ? kMmPerInch : 10.0, least = perPixel_mm * least_px / unit_mm;
   if (inches) return unit_mm * std::exp2(std::ceil(std::log2(least)));
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0})
@@ -44,7 +45,7 @@ void drawRuler(Ui& ui, const Fabric& fabric, const DraftFrame& frame, System alo
     else
       draw.AddRectFilled(ImVec2(at, ruler.min.y + ui.px(2)), ImVec2(at + 1, ruler.min.y + ui.px(2) + tick), ink);
     if (!labelled) continue;
-    const std::string label = fmt::format("{:.4g}", mm / (inches ? 25.4 : 10.0));
+    const std::string label = fmt::format("{:.4g}", mm / (inches ? kMmPerInch : 10.0));
     const ImVec2 size = ImGui::CalcTextSize(label.c_str());
     if (picks && at - size.y - 1 < ruler.min.y) continue;  // half a number says another one
     if (picks)

@@ -14,7 +14,6 @@ namespace loomlight {
 namespace {
 
 constexpr const char* kUnknown = words::panels::none;
-constexpr double kMmPerInch = 25.4;
 
 bool settRows(Ui& ui, bool inches, Fabric& fabric) {
   const double cmPerUnit = inches ? kMmPerInch / 10 : 1;

@@ -13,8 +13,6 @@
 namespace loomlight {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
-
 bool lengthField(Ui& ui, const char* id, const Word& word, double& length_mm) {
   NumberStyle style;
   style.unit = "mm";

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/units.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/tab_order.h"
 #include "ui/widgets/theme.h"
@@ -44,7 +45,7 @@ struct Ui {
   double time = 0;      ///< seconds
   double wakeIn = 1e9;  ///< the window draws again after so long even when nothing happens
   /// Of the display that the window is on, as the system says; else as most are.
-  double pixels_per_mm = 96 / 25.4;
+  double pixels_per_mm = 96 / kMmPerInch;
   /// Where tooltips of what is drawn now open, if not at the mouse: beside what they would hide.
   std::optional<ImVec2> tooltipCorner{};
 

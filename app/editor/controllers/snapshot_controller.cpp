@@ -28,7 +28,6 @@ SnapshotPrint printOf(const SnapshotOptions& options, const Fabric& fabric) {
 
 /// Where it looks from, for as much cloth as is wanted.
 Camera cameraOf(const Fabric& seen, const SnapshotOptions& options, const std::optional<glm::dvec2>& piece_mm) {
-  constexpr double kMmPerInch = 25.4;
   const int width = seen.render.width, height = seen.render.height;
   if (options.scale == SnapshotScale::actualSize) return atScale(seen.camera, height, options.dpi / kMmPerInch);
   if (options.scale == SnapshotScale::wholePiece && piece_mm)

@@ -9,6 +9,7 @@
 
 #include "app/editor/model/settings.h"
 #include "app/editor/services/view_service.h"
+#include "core/base/units.h"
 #include "core/fabric/model/booth_lamps.h"
 #include "ui/flat_menu.h"
 #include "ui/viewport/viewport_panel.h"
@@ -91,7 +92,7 @@ class ViewportController {
 
   ViewportView view_;
   ViewService service_;
-  double display_pixels_per_mm_ = 96 / 25.4;
+  double display_pixels_per_mm_ = 96 / kMmPerInch;
   std::optional<Flat> flat_;
   int flatRepeats_ = 4;  ///< that were looked at last
   double flatSide_cm_ = 10;

@@ -16,6 +16,7 @@
 #include "app/editor/display/keyboard_layout.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/units.h"
 #include "ui/words/error_words.h"
 
 namespace loomlight {
@@ -197,7 +198,7 @@ double Window::pixels_per_mm() {
 }
 
 double Window::askDisplay_per_mm() const {
-  constexpr double kUsual = 96 / 25.4;
+  constexpr double kUsual = 96 / kMmPerInch;
   GLFWmonitor* const monitor = this->monitor();
   const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
   int width_mm = 0, height_mm = 0;

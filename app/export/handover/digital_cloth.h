@@ -25,8 +25,8 @@ struct DigitalCloth {
   const DigitalSide& of(ClothSide side) const { return side == ClothSide::front ? front : back; }
   double width_mm() const { return extent.ends * fabric.warpPitch_mm(); }
   double height_mm() const { return extent.picks * fabric.weftPitch_mm(); }
-  double dpiX() const { return 25.4 * front.maps.tile.width / width_mm(); }
-  double dpiY() const { return 25.4 * front.maps.tile.height / height_mm(); }
+  double dpiX() const { return kMmPerInch * front.maps.tile.width / width_mm(); }
+  double dpiY() const { return kMmPerInch * front.maps.tile.height / height_mm(); }
 };
 
 struct DigitalClothOrder {

@@ -4,9 +4,13 @@
 
 #include <string>
 
+#include "core/base/units.h"
 #include "render/film/image.h"
 
 namespace loomlight {
+
+/// Points, the unit of cairo's pages, in a millimetre.
+inline constexpr double kPointsPerMm = 72 / kMmPerInch;
 
 /// A cairo_write_func_t that appends what cairo writes to the std::string at `text`.
 cairo_status_t appendTo(void* text, const unsigned char* data, unsigned int length);

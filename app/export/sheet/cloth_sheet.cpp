@@ -22,7 +22,7 @@
 namespace loomlight {
 namespace {
 
-constexpr double kFine = 150 / 25.4, kCoarse = 100 / 25.4;  // pixels to the mm
+constexpr double kFine = 150 / kMmPerInch, kCoarse = 100 / kMmPerInch;  // pixels to the mm
 
 /// A square of the cloth, flat under a light booth, seen from straight above without perspective. Its picture is shown
 /// in the plain tone, as the chips of colour beside it are: white paper would be white.
@@ -122,7 +122,7 @@ class SheetFile {
       throw InputError(fmt::format("{}: expected the name of a sheet that ends in .pdf or .png", file));
     expectWritable(file);
   }
-  double pixels_per_mm() const { return isPng_ ? 200 / 25.4 : 0; }
+  double pixels_per_mm() const { return isPng_ ? 200 / kMmPerInch : 0; }
   void write(Paper& paper) const { paper.write(file_); }
 
  private:

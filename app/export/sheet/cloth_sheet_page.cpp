@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/export/sheet/cairo_output.h"
 #include "core/base/rgb.h"
 #include "core/fabric/weave/weave_code.h"
 #include "core/fabric/weave/yarn_order.h"
@@ -112,10 +113,9 @@ class SheetWriter {
 
   double draft(double x, double y) {
     std::string said;
-    constexpr double kPoints = 72 / 25.4;
     paper_.draw(x, y, [&](cairo_t* canvas) {
-      said = drawDraft(canvas, fabric_, content_.yarnColours, options_.corner, kColumn_mm * kPoints,
-                       kSheetCloth_mm * kPoints);
+      said = drawDraft(canvas, fabric_, content_.yarnColours, options_.corner, kColumn_mm * kPointsPerMm,
+                       kSheetCloth_mm * kPointsPerMm);
     });
     paper_.text(x, y + kSheetCloth_mm + 3, said, kQuiet, kColumn_mm);
     return y + kSheetCloth_mm + 3 + kLine_mm;

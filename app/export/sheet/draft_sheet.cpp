@@ -244,9 +244,9 @@ std::vector<Window> windowsOf(const Weave& weave, int mostEnds, int mostPicks) {
 }
 
 std::string pdfOf(const Sheet& sheet, const Weave& weave, const std::string& file) {
-  constexpr double kMillimetre = 72 / 25.4, kLargestCell = 5 * kMillimetre, kLegibleCell = 1.6 * kMillimetre;
+  constexpr double kLargestCell = 5 * kPointsPerMm, kLegibleCell = 1.6 * kPointsPerMm;
   constexpr size_t kMostPages = 40;
-  SheetSize size{210 * kMillimetre, 297 * kMillimetre, 12 * kMillimetre, 0, 10 * kMillimetre, 0.15};
+  SheetSize size{210 * kPointsPerMm, 297 * kPointsPerMm, 12 * kPointsPerMm, 0, 10 * kPointsPerMm, 0.15};
   if (sheet.across(weave.ends()) > sheet.down(weave.picks())) std::swap(size.width, size.height);
   const double roomX = size.width - 2 * size.margin, roomY = size.height - 2 * size.margin - size.title;
   const double whole = std::min(roomX / sheet.across(weave.ends()), roomY / sheet.down(weave.picks()));
@@ -301,7 +301,7 @@ Pixels8 pictureOf(Sheet sheet, const Weave& weave, const std::string& file) {
 
 std::string drawDraft(cairo_t* canvas, const Fabric& fabric, std::span<const Rgb> yarnColours,
                       const DraftCorner& corner, double width, double height) {
-  constexpr double kMillimetre = 72 / 25.4, kLargestCell = 4 * kMillimetre, kLegibleCell = 1.2 * kMillimetre;
+  constexpr double kLargestCell = 4 * kPointsPerMm, kLegibleCell = 1.2 * kPointsPerMm;
   const Sheet sheet(fabric, yarnColours, corner);
   const Weave& weave = fabric.weave;
   SheetSize size{width, height, 0, 0, 0, 0.15};

@@ -13,8 +13,6 @@
 namespace loomlight {
 namespace {
 
-constexpr double kPoints = 72 / 25.4;  ///< in a millimetre
-
 void choose(cairo_t* canvas, const Paper::Font& font) {
   cairo_select_font_face(canvas, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                          font.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
@@ -27,7 +25,8 @@ void choose(cairo_t* canvas, const Paper::Font& font) {
 Paper::Paper(double width_mm, double height_mm, double pixels_per_mm)
     : width_mm_(width_mm), height_mm_(height_mm), pixels_per_mm_(pixels_per_mm), isPdf_(pixels_per_mm <= 0) {
   if (isPdf_)
-    surface_ = cairo_pdf_surface_create_for_stream(appendTo, &bytes_, width_mm * kPoints, height_mm * kPoints);
+    surface_ =
+        cairo_pdf_surface_create_for_stream(appendTo, &bytes_, width_mm * kPointsPerMm, height_mm * kPointsPerMm);
   begin();
 }
 
@@ -37,7 +36,7 @@ void Paper::begin() {
     surface_ = cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_mm_ * pixels_per_mm_),
                                           static_cast<int>(height_mm_ * pixels_per_mm_));
   canvas_ = cairo_create(surface_);
-  const double unit = isPdf_ ? kPoints : pixels_per_mm_;
+  const double unit = isPdf_ ? kPointsPerMm : pixels_per_mm_;
   cairo_scale(canvas_, unit, unit);
   if (isPdf_) return;
   cairo_set_source_rgb(canvas_, 1, 1, 1);
@@ -153,7 +152,7 @@ void Paper::picture(double x, double y, double width, double height, const Pixel
 void Paper::draw(double x, double y, const std::function<void(cairo_t*)>& how) {
   cairo_save(canvas_);
   cairo_translate(canvas_, x, y);
-  cairo_scale(canvas_, 1 / kPoints, 1 / kPoints);
+  cairo_scale(canvas_, 1 / kPointsPerMm, 1 / kPointsPerMm);
   how(canvas_);
   cairo_restore(canvas_);
 }
@@ -175,7 +174,7 @@ void Paper::write(const std::string& file) {
     sheet.bytes.insert(sheet.bytes.end(), next.bytes.begin(), next.bytes.end());
     sheet.height += next.height;
   }
-  writePng(file, sheet, {}, 25.4 * pixels_per_mm_);
+  writePng(file, sheet, {}, kMmPerInch * pixels_per_mm_);
 }
 
 }  // namespace loomlight

@@ -29,12 +29,11 @@ std::optional<int> freeWifNumber(const std::set<int>& taken) {
 }
 
 double millimetres(double value, WifUnit unit) {
-  constexpr double kInch_mm = 25.4;
   switch (unit) {
     case WifUnit::decipoints:
-      return value * kInch_mm / 720.0;
+      return value * kMmPerInch / 720.0;
     case WifUnit::inches:
-      return value * kInch_mm;
+      return value * kMmPerInch;
     case WifUnit::centimeters:
       break;
   }
