@@ -13,7 +13,7 @@ namespace {
 /// The colour of what lies on top, linear.
 std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric, std::span<const Rgb> yarnColours) {
   std::vector<Rgb> yarns;  // as displayed
-  for (const Rgb& colour : yarnColours) yarns.push_back(srgbFromLinear(glm::clamp(colour, Rgb(0.0f), Rgb(1.0f))));
+  for (const Rgb& colour : yarnColours) yarns.push_back(clippedSrgbFromLinear(colour));
   const Rgb first = yarns[static_cast<size_t>(fabric.warpYarn(0))];
   const auto isFirst = [&](int yarn) {
     const Rgb& c = yarns[static_cast<size_t>(yarn)];

@@ -23,6 +23,10 @@ inline float decodeSrgb(float encoded) {
 inline Rgb srgbFromLinear(const Rgb& linear) {
   return {encodeSrgb(linear.r), encodeSrgb(linear.g), encodeSrgb(linear.b)};
 }
+/// The same of any light: what is beyond the gamut is cut off.
+inline Rgb clippedSrgbFromLinear(const Rgb& linear) {
+  return srgbFromLinear(glm::clamp(linear, Rgb(0.0f), Rgb(1.0f)));
+}
 inline Rgb linearFromSrgb(const Rgb& encoded) {
   return {decodeSrgb(encoded.r), decodeSrgb(encoded.g), decodeSrgb(encoded.b)};
 }

@@ -26,7 +26,7 @@ void drawChevron(Ui& ui, ImVec2 centre) {
 }  // namespace
 
 ImVec4 toDisplayColour(const Rgb& linear) {
-  const Rgb display = srgbFromLinear(glm::clamp(linear, Rgb(0.0f), Rgb(1.0f)));
+  const Rgb display = clippedSrgbFromLinear(linear);
   return ImVec4(display.x, display.y, display.z, 1.0f);
 }
 

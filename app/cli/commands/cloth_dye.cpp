@@ -42,7 +42,7 @@ Rgb linearColour(const NamedColour& colour) {
 }
 
 std::string textOf(const Rgb& linear) {
-  const Rgb shown = 255.0f * srgbFromLinear(glm::clamp(linear, 0.0f, 1.0f));
+  const Rgb shown = 255.0f * clippedSrgbFromLinear(linear);
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(shown.r), std::lround(shown.g), std::lround(shown.b));
 }
 

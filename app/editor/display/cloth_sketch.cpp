@@ -18,7 +18,7 @@ Pixels8 strand(const Rgb& colour, int width, int height) {
   picture.bytes.reserve(3 * static_cast<size_t>(width) * static_cast<size_t>(height));
   for (int y = 0; y < height; ++y) {
     const bool isYarn = std::abs((y + 0.5) / height - 0.5) < 0.5 * kThickness;
-    const Rgb shown = srgbFromLinear(glm::clamp(isYarn ? colour : Tone{}.background, Rgb(0.0f), Rgb(1.0f)));
+    const Rgb shown = clippedSrgbFromLinear(isYarn ? colour : Tone{}.background);
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < 3; ++c) picture.bytes.push_back(byteOf(shown[c]));
   }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
+#include <span>
 
 #include "app/export/sheet/cairo_output.h"
 #include "core/base/rgb.h"
@@ -26,6 +28,7 @@ namespace {
 constexpr double kColumn_mm = 90, kGap_mm = 6, kRight_mm = kSheetMargin_mm + kColumn_mm + kGap_mm;
 constexpr double kEnd_mm = kSheetWidth_mm - kSheetMargin_mm, kBottom_mm = kSheetHeight_mm - kSheetMargin_mm;
 constexpr double kLine_mm = 3.6, kBetween_mm = 4.5;
+constexpr double kBelowRule_mm = 0.6;  // more than between lines
 constexpr Paper::Font kTitle{5.2, true}, kHeading{3.0, true}, kBody{2.6}, kQuiet{2.6, false, 0.4};
 
 /// Ends or picks of each yarn in a repeat.
@@ -101,6 +104,25 @@ class SheetWriter {
     return y + kLine_mm;
   }
 
+  /// What stands above the columns of a table, and a rule below it; returns the y of the first row.
+  double tableHead(double y, std::span<const double> columns, std::initializer_list<const char*> heads, double end) {
+    constexpr double kHead_mm = kLine_mm + kBelowRule_mm;
+    const double* column = columns.data();
+    for (const char* const head : heads) paper_.text(*column++, y, head, kQuiet);
+    paper_.line(columns[0], y + 1.2, end, y + 1.2, 0.15);
+    return y + kHead_mm;
+  }
+
+  /// The row of a table over the whole width, from its second column on.
+  void tableRow(std::span<const double> columns, std::span<const std::string> cells) {
+    for (size_t k = 0; k < cells.size(); ++k)
+      paper_.text(columns[k + 1], y_, cells[k], kBody,
+                  (k + 2 < columns.size() ? columns[k + 2] : kEnd_mm) - columns[k + 1] - 2);
+    y_ += kLine_mm;
+  }
+
+  void swatch(double x, double y, const Rgb& linear) { paper_.fill(x, y - 2.4, 5, 2.8, clippedSrgbFromLinear(linear)); }
+
   double cloth(double x, double y) {
     paper_.picture(x, y, kSheetCloth_mm, kSheetCloth_mm, content_.cloth);
     y += kSheetCloth_mm + 3;
@@ -161,10 +183,7 @@ class SheetWriter {
   /// The cloth from the reed to the wash.
   double setts(double x, double y) {
     const double columns[] = {x, x + 20, x + 33, x + 48};
-    const char* const heads[] = {"Sett", "ends/cm", "picks/cm", "known from"};
-    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y, heads[i], kQuiet);
-    paper_.line(x, y + 1.2, x + kColumn_mm, y + 1.2, 0.15);
-    y += kLine_mm + 0.6;
+    y = tableHead(y, columns, {"Sett", "ends/cm", "picks/cm", "known from"}, x + kColumn_mm);
     const std::pair<const char*, const ClothState*> rows[] = {
         {"in the reed", &states_.reed},
         {"loom state", &states_.loom},
@@ -190,10 +209,7 @@ class SheetWriter {
                        static_cast<double>(picks) * fabric_.weftPitch_mm());
   }
 
-  void yarnSwatch(double x, double y, int yarn) {
-    const Rgb& reached = content_.yarnColours[static_cast<size_t>(yarn)];
-    paper_.fill(x, y - 2.4, 5, 2.8, srgbFromLinear(glm::clamp(reached, Rgb(0.0f), Rgb(1.0f))));
-  }
+  void yarnSwatch(double x, double y, int yarn) { swatch(x, y, content_.yarnColours[static_cast<size_t>(yarn)]); }
 
   /// A table of threads in the room down to `bottom`: stripe by stripe where they all fit; else, of an order that comes
   /// back the way it went, one half of it; else the order as weavers write it, and how many threads of each yarn it
@@ -203,7 +219,6 @@ class SheetWriter {
     const double columns[] = {x, x + 7, x + 15, x + 28}, end = x + width;
     const auto cm = [&](double count) { return fmt::format("{:.2f}", 0.1 * pitch_mm * count); };
     std::vector<Stripe> rows = stripesOf(sequence);
-    constexpr double kBelowRule_mm = 0.6;  // more than between lines
     const auto rowsIn = [&](double from) {
       return static_cast<size_t>(std::max(0.0, (bottom - kBelowRule_mm - from) / kLine_mm));
     };
@@ -216,10 +231,7 @@ class SheetWriter {
       rows = sumsOf(sequence);
       y = paper_.paragraph(x, y, yarnOrderText(sequence), kBody, width, 4) + 0.6;
     }
-    const char* const heads[] = {label, "", threads, "cm"};
-    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y, heads[i], kQuiet);
-    paper_.line(x, y + 1.2, end, y + 1.2, 0.15);
-    y += kLine_mm + kBelowRule_mm;
+    y = tableHead(y, columns, {label, "", threads, "cm"}, end);
     const size_t room = std::max<size_t>(2, rowsIn(y));
     const size_t shown = rows.size() + 1 > room ? room - 2 : rows.size();
     for (size_t i = 0; i < shown; ++i, y += kLine_mm) {
@@ -260,10 +272,7 @@ class SheetWriter {
                               kSheetMargin_mm + 98, kSheetMargin_mm + 128, kSheetMargin_mm + 168};
     const auto head = [&] {
       y_ = heading(kSheetMargin_mm, y_, "Yarns");
-      const char* const heads[] = {"", "Yarn", "Count", "Twist, turns/m", "Fibre", "kg / 100 m"};
-      for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y_, heads[i], kQuiet);
-      paper_.line(kSheetMargin_mm, y_ + 1.2, kEnd_mm, y_ + 1.2, 0.15);
-      y_ += kLine_mm + 0.6;
+      y_ = tableHead(y_, columns, {"", "Yarn", "Count", "Twist, turns/m", "Fibre", "kg / 100 m"}, kEnd_mm);
     };
     expectRoom(4 * kLine_mm);
     head();
@@ -285,10 +294,7 @@ class SheetWriter {
       const std::string cells[] = {yarnName(fabric_, index, content_.coloursOfNames[i], options_.counts),
                                    writtenCount(yarn, meanFibre(yarn, fabric_.fibres), options_.counts), twistOf(yarn),
                                    fibre, fmt::format("{:.2f}", needs[i].mass_kg)};
-      for (size_t k = 0; k < std::size(cells); ++k)
-        paper_.text(columns[k + 1], y_, cells[k], kBody,
-                    (k + 2 < std::size(columns) ? columns[k + 2] : kEnd_mm) - columns[k + 1] - 2);
-      y_ += kLine_mm;
+      tableRow(columns, cells);
     }
     y_ += kBetween_mm;
   }
@@ -299,20 +305,15 @@ class SheetWriter {
                               kSheetMargin_mm + 150};
     expectRoom((2.3 + static_cast<double>(content_.faces.size())) * kLine_mm);
     y_ = heading(kSheetMargin_mm, y_, "Colour of the face, CIELAB for 10 degrees");
-    const char* const heads[] = {"", "Where it lies on top", "D65", "A", "moves by (CIEDE2000)"};
-    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y_, heads[i], kQuiet);
-    paper_.line(kSheetMargin_mm, y_ + 1.2, kEnd_mm, y_ + 1.2, 0.15);
-    y_ += kLine_mm + 0.6;
+    y_ = tableHead(y_, columns, {"", "Where it lies on top", "D65", "A", "moves by (CIEDE2000)"}, kEnd_mm);
     const auto text = [](const Lab& lab) {
       return fmt::format("L* {:.1f}  a* {:.1f}  b* {:.1f}", lab.L, lab.a, lab.b);
     };
     for (const FaceColour& face : content_.faces) {
-      paper_.fill(columns[0] + 7, y_ - 2.4, 5, 2.8, srgbFromLinear(glm::clamp(face.shown, Rgb(0.0f), Rgb(1.0f))));
-      paper_.text(columns[1], y_, face.name, kBody, columns[2] - columns[1] - 2);
-      paper_.text(columns[2], y_, text(face.daylight), kBody, columns[3] - columns[2] - 2);
-      paper_.text(columns[3], y_, text(face.bulb), kBody, columns[4] - columns[3] - 2);
-      paper_.text(columns[4], y_, fmt::format("{:.1f}", face.inconstancy), kBody, kEnd_mm - columns[4]);
-      y_ += kLine_mm;
+      swatch(columns[0] + 7, y_, face.shown);
+      const std::string cells[] = {face.name, text(face.daylight), text(face.bulb),
+                                   fmt::format("{:.1f}", face.inconstancy)};
+      tableRow(columns, cells);
     }
     y_ += kBetween_mm;
   }
@@ -325,27 +326,20 @@ class SheetWriter {
     expectRoom(3.3 * kLine_mm);
     y_ = heading(kSheetMargin_mm, y_,
                  fmt::format("Beside its standard, tolerance {:g} CMC(2:1)", options_.tolerance_cmc));
-    const char* const heads[] = {
+    const std::initializer_list<const char*> heads = {
         "", "Where it lies on top", "Standard", "D65: CIEDE2000, CMC(2:1)", "A: the same", "metamerism"};
-    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y_, heads[i], kQuiet);
-    paper_.line(kSheetMargin_mm, y_ + 1.2, kEnd_mm, y_ + 1.2, 0.15);
-    y_ += kLine_mm + 0.6;
+    y_ = tableHead(y_, columns, heads, kEnd_mm);
     const auto verdict = [&](const Judgement& judgement) {
       return fmt::format("{:.2f},  {:.2f}  {}", judgement.ciede2000, judgement.cmc,
                          judgement.passes(options_.tolerance_cmc) ? "pass" : "FAIL");
     };
     for (const StandardMatch& match : content_.matches) {
       expectRoom(kLine_mm);
-      const Rgb chips[] = {match.wanted, match.shown};
-      for (size_t i = 0; i < std::size(chips); ++i)
-        paper_.fill(columns[0] + 2 + 5 * static_cast<double>(i), y_ - 2.4, 5, 2.8,
-                    srgbFromLinear(glm::clamp(chips[i], Rgb(0.0f), Rgb(1.0f))));
+      swatch(columns[0] + 2, y_, match.wanted);
+      swatch(columns[0] + 7, y_, match.shown);
       const std::string cells[] = {match.partName, match.standard, verdict(match.daylight), verdict(match.bulb),
                                    fmt::format("{:.2f}", match.bulb.metamerism)};
-      for (size_t k = 0; k < std::size(cells); ++k)
-        paper_.text(columns[k + 1], y_, cells[k], kBody,
-                    (k + 2 < std::size(columns) ? columns[k + 2] : kEnd_mm) - columns[k + 1] - 2);
-      y_ += kLine_mm;
+      tableRow(columns, cells);
     }
     y_ += kBetween_mm;
   }

@@ -128,8 +128,7 @@ class Sheet {
   }
 
   void setYarn(cairo_t* canvas, int yarn) const {
-    const Rgb& linear = yarnColours_[static_cast<size_t>(yarn)];
-    const Rgb display = srgbFromLinear(glm::clamp(linear, Rgb(0.0f), Rgb(1.0f)));
+    const Rgb display = clippedSrgbFromLinear(yarnColours_[static_cast<size_t>(yarn)]);
     cairo_set_source_rgb(canvas, display.x, display.y, display.z);
   }
 
