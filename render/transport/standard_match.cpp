@@ -4,7 +4,6 @@
 
 #include "core/base/error.h"
 #include "core/fabric/yarn/band_colour.h"
-#include "render/transport/colour_patch.h"
 #include "render/transport/dye_paths.h"
 
 namespace loomlight {
@@ -23,17 +22,14 @@ StandardMatch matchOf(const ClothStandard& standard, const Spectrum& reflectance
 
 }  // namespace
 
-std::optional<std::vector<StandardMatch>> standardMatches(const Fabric& fabric,
+std::optional<std::vector<StandardMatch>> standardMatches(const ColourPatch& patch,
                                                           const std::vector<ClothStandard>& standards,
                                                           const Task& task) {
   std::vector<StandardMatch> matches;
-  if (standards.empty()) return matches;
-  const auto patch = makeColourPatch(fabric, task);
-  if (!patch) return std::nullopt;
-  const Colouring colouring = colouringInDaylight(fabric);
+  const Colouring colouring = colouringInDaylight(*patch.scene->fabric);
   for (const ClothStandard& standard : standards) {
     const auto paths =
-        tracePathsForDyes(*patch->scene, *patch->medium, standard.part, task, DyePaths::toJudge, kToldError);
+        tracePathsForDyes(*patch.scene, *patch.medium, standard.part, task, DyePaths::toJudge, kToldError);
     if (!paths) return std::nullopt;
     if (paths->lit() == 0)
       throw InputError(

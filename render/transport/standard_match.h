@@ -7,6 +7,7 @@
 #include "core/base/task.h"
 #include "core/fabric/yarn/cloth_part.h"
 #include "render/colour/colour_difference.h"
+#include "render/transport/colour_patch.h"
 
 namespace loomlight {
 
@@ -25,8 +26,9 @@ struct StandardMatch {
   Judgement daylight, bulb;  ///< under CIE D65 and A; metamerism is told from D65
 };
 
-/// In the order of the standards; nullopt when stopped. Throws InputError for a part that never lies on the face.
-std::optional<std::vector<StandardMatch>> standardMatches(const Fabric& fabric,
+/// Of the cloth of this patch, in the order of the standards; nullopt when stopped. Throws InputError for a part that
+/// never lies on the face.
+std::optional<std::vector<StandardMatch>> standardMatches(const ColourPatch& patch,
                                                           const std::vector<ClothStandard>& standards,
                                                           const Task& task);
 

@@ -17,6 +17,7 @@
 #include "core/base/text.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/model/height_seen.h"
+#include "render/transport/colour_patch.h"
 #include "render/transport/reached_colours.h"
 
 namespace loomlight {
@@ -90,8 +91,10 @@ std::optional<ClothSheetContent> tracedContent(const Fabric& fabric, const Cloth
                         static_cast<double>(count) * pictureWork(kSheetColourway_mm, kCoarse, samples) + facesWork +
                         kColourWork);
   ClothSheetContent content;
+  const auto patch = makeColourPatch(fabric, steps.nextQuiet(0));  // it takes a moment
+  if (!patch) return std::nullopt;
   // First, as a wrong part is soon told.
-  auto matches = standardMatches(fabric, options.standards, steps.nextQuiet(standardsWork));
+  auto matches = standardMatches(*patch, options.standards, steps.nextQuiet(standardsWork));
   if (!matches) return std::nullopt;
   content.matches = std::move(*matches);
   const auto whole = tracedPiece(fabric, kSheetCloth_mm, kFine, options, steps);
@@ -104,10 +107,11 @@ std::optional<ClothSheetContent> tracedContent(const Fabric& fabric, const Cloth
     if (!picture) return std::nullopt;
     content.colourways.push_back(toPixels(picture->film, plainTone()));
   }
-  auto faces = faceColours(fabric, steps.next(facesWork));
+  auto faces = faceColours(*patch, steps.next(facesWork));
   if (!faces) return std::nullopt;
   content.faces = std::move(*faces);
-  const auto paths = tracePathsToYarns(fabric, kChipPaths, steps.nextQuiet(kColourWork));
+  std::shared_ptr<const Scene> shared = patch->scene;
+  const auto paths = tracePathsToYarns(fabric, kChipPaths, steps.nextQuiet(kColourWork), &shared);
   if (!paths) return std::nullopt;
   content.yarnColours = reachedColours(*paths, colouringOf(fabric));
   content.coloursOfNames = coloursForNames(*paths, content.yarnColours);

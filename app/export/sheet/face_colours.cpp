@@ -5,7 +5,6 @@
 #include "app/export/task_part.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_difference.h"
-#include "render/transport/colour_patch.h"
 #include "render/transport/dye_paths.h"
 
 namespace loomlight {
@@ -29,11 +28,8 @@ int facesToTell(const Fabric& fabric) {
   return 1 + (fibres > 1 ? std::min(fibres, kMostFibres) : 0);
 }
 
-std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const Task& task) {
-  Task quiet = task;
-  quiet.progress = nullptr;  // the patch takes a moment
-  const auto patch = makeColourPatch(fabric, quiet);
-  if (!patch) return std::nullopt;
+std::optional<std::vector<FaceColour>> faceColours(const ColourPatch& patch, const Task& task) {
+  const Fabric& fabric = *patch.scene->fabric;
   const Colouring colouring = colouringInDaylight(fabric);
   std::vector<FaceColour> colours;
   const int faces = facesToTell(fabric);
@@ -41,7 +37,7 @@ std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const T
     const bool isAll = face == 0;
     const int material = face - 1;
     const auto paths =
-        tracePathsForDyes(*patch->scene, *patch->medium, isAll ? wholePiece() : partOfFibre(material),
+        tracePathsForDyes(*patch.scene, *patch.medium, isAll ? wholePiece() : partOfFibre(material),
                           partOf(task, static_cast<double>(face) / faces, static_cast<double>(face + 1) / faces),
                           DyePaths::toJudge, kToldError);
     if (!paths) return std::nullopt;

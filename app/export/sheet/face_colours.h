@@ -7,6 +7,7 @@
 #include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
 #include "render/colour/colour_space.h"
+#include "render/transport/colour_patch.h"
 
 namespace loomlight {
 
@@ -22,8 +23,8 @@ struct FaceColour {
 /// How many faceColours() tells at most.
 int facesToTell(const Fabric& fabric);
 
-/// Of all of the face, and of at most three of its fibres where it has several. nullopt when stopped. Throws InputError
-/// for files that cannot be used.
-std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const Task& task);
+/// Of all of the face, and of at most three of its fibres where it has several, of the cloth of this patch. nullopt
+/// when stopped.
+std::optional<std::vector<FaceColour>> faceColours(const ColourPatch& patch, const Task& task);
 
 }  // namespace loomlight

@@ -19,7 +19,8 @@ TEST(StandardMatches, JudgeThePartThatTheyAreOf) {
   fabric.weftSequence = {1};
   Spectrum flat;
   flat.fill(0.5f);
-  const auto first = standardMatches(fabric, {{partOfYarn(1), "weft", "lot 7", flat}}, {});
+  const auto patch = makeColourPatch(fabric, {});
+  const auto first = standardMatches(*patch, {{partOfYarn(1), "weft", "lot 7", flat}}, {});
   ASSERT_TRUE(first && first->size() == 1);
   const StandardMatch& weft = first->front();
   EXPECT_EQ(weft.partName, "weft");
@@ -28,13 +29,14 @@ TEST(StandardMatches, JudgeThePartThatTheyAreOf) {
   EXPECT_NEAR(weft.daylight.metamerism, 0, 1e-9);  // rounding
   EXPECT_GT(weft.bulb.metamerism, 0);
   EXPECT_NEAR(weft.daylight.standard.L, 116 * std::cbrt(0.5) - 16, 1e-3);
-  const auto others = standardMatches(fabric, {{partOfYarn(0), "warp", "lot 7", flat}, {{}, "Cloth", "", flat}}, {});
+  const auto others = standardMatches(*patch, {{partOfYarn(0), "warp", "lot 7", flat}, {{}, "Cloth", "", flat}}, {});
   ASSERT_TRUE(others && others->size() == 2);
   const auto redness = [](const StandardMatch& match) { return match.shown.r / match.shown.b; };
   EXPECT_LT(redness(weft), redness(others->back())) << "a blue weft, and the cloth";
   EXPECT_LT(redness(others->back()), redness(others->front())) << "a white warp";
   fabric.yarns.push_back(fabric.yarns[0]);
-  EXPECT_THROW(standardMatches(fabric, {{partOfYarn(2), "unused", "lot 7", flat}}, {}), InputError);
+  const auto larger = makeColourPatch(fabric, {});
+  EXPECT_THROW(standardMatches(*larger, {{partOfYarn(2), "unused", "lot 7", flat}}, {}), InputError);
 }
 
 }  // namespace
