@@ -107,8 +107,8 @@ void addPictureOptions(CLI::App& app, FabricOptions& options) {
            [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });
 }
 
-void addThreads(CLI::App& app, int& threads) {
-  addValue(app, "--threads", "N", "threads; all where not given", [&threads](const auto& option, const auto& text) {
+void addThreads(CLI::App& app, int& threads, const std::string& help) {
+  addValue(app, "--threads", "N", help, [&threads](const auto& option, const auto& text) {
     threads = static_cast<int>(parseWhole(option, text, 1, 1024));
   });
 }

@@ -54,7 +54,7 @@ void addSampling(CLI::App& app, FabricOptions& options, const std::string& sampl
 void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& samplesHelp);
 void addColourway(CLI::App& app, FabricOptions& options);
 void addPictureOptions(CLI::App& app, FabricOptions& options);
-void addThreads(CLI::App& app, int& threads);
+void addThreads(CLI::App& app, int& threads, const std::string& help = "threads; all where not given");
 void addMemoryLimit(CLI::App& app, double& limit_bytes);
 void addFibreExtent(CLI::App& app, FibreExtent& extent);
 /// --exposure and --tone.

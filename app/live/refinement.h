@@ -77,9 +77,8 @@ class Refinement {
   /// Null where none is shared; it is then no longer.
   std::unique_ptr<SharedLight> takeSharedLight() { return std::move(shared_); }
 
-  bool begun() const {
-    return history_.divider != 0;
-  }  ///< a pass has filled the window, or those that would were left out
+  /// Whether a pass has filled the window, or those that would were left out.
+  bool begun() const { return history_.divider != 0; }
   bool converged() const;
   int divider() const { return history_.divider; }
   uint32_t samples() const { return history_.samples; }

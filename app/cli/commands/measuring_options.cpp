@@ -11,6 +11,8 @@
 namespace loomlight {
 namespace {
 
+constexpr const char* kThreadsOfWindow = "threads; as in the window, all where not given";
+
 /// Two files: a picture and its reference.
 void addPair(CLI::App& app, const std::string& name, const std::string& help, std::optional<PictureNames>& pair) {
   app.add_option_function<std::vector<std::string>>(
@@ -61,10 +63,7 @@ void addEditBench(CLI::App& app, EditBenchCommand& command) {
   app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
   app.add_flag("--quick", command.quick, "small cloths and pictures: seconds instead of a quarter of an hour");
   app.add_flag("--json", command.json, "the figures as JSON on stdout too");
-  addValue(app, "--threads", "N", "threads; as in the window, all where not given",
-           [&command](const auto& option, const auto& text) {
-             command.threads = static_cast<int>(parseWhole(option, text, 1, 1024));
-           });
+  addThreads(app, command.threads, kThreadsOfWindow);
 }
 
 void addConvergeBench(CLI::App& app, ConvergeBenchCommand& command) {
@@ -99,10 +98,7 @@ void addClearBench(CLI::App& app, ClearBenchCommand& command) {
            [&command](const auto& option, const auto& text) {
              command.referenceSamples = static_cast<int>(parseWhole(option, text, 1, 1 << 20));
            });
-  addValue(app, "--threads", "N", "threads; as in the window, all where not given",
-           [&command](const auto& option, const auto& text) {
-             command.threads = static_cast<int>(parseWhole(option, text, 1, 1024));
-           });
+  addThreads(app, command.threads, kThreadsOfWindow);
 }
 
 void addClothsBench(CLI::App& app, ClothsBenchCommand& command) {

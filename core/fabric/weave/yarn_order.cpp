@@ -39,7 +39,7 @@ class OrderReader {
   /// Up to the end, or the bracket that closes it.
   std::vector<int> group(int depth) {
     constexpr int kDeepest = 8;
-    if (depth > kDeepest) throw InputError("expected at most 8 brackets within each other");
+    if (depth > kDeepest) throw InputError(fmt::format("expected at most {} brackets within each other", kDeepest));
     std::vector<int> sequence;
     for (skipBlanks(); at_ != end_ && *at_ != ')'; skipBlanks()) {
       const size_t count = number();
