@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "render/film/pixel_rect.h"
 
 namespace loomlight {
 namespace {
@@ -21,7 +22,7 @@ constexpr int kSquares = 8, kSide = 96;  // of Fig. 8
 
 Pixels8 grey(int width, int height) {
   constexpr uint8_t kGround = 96;
-  return {width, height, 3, std::vector<uint8_t>(static_cast<size_t>(width) * height * 3, kGround)};
+  return {width, height, 3, std::vector<uint8_t>(3 * pixelCount(width, height), kGround)};
 }
 
 /// One square of the figure, of its own phi_i, with its corner at (left, top).
@@ -31,7 +32,7 @@ void drawSquare(const Bvdf& table, int square, Pixels8& picture, int left, int t
     for (int x = 0; x < kSide; ++x) {
       const glm::vec3 wo = direction(centre(y, kSide, kPiF / 2), 0), wi = direction(centre(x, kSide, kPiF), phiI);
       const auto shade = static_cast<uint8_t>(std::lround(255 * (1 - table.occlusion(wi, wo))));
-      const size_t at = (static_cast<size_t>(top + y) * picture.width + left + x) * 3;
+      const size_t at = 3 * pixelIndex(left + x, top + y, picture.width);
       picture.bytes[at] = picture.bytes[at + 1] = picture.bytes[at + 2] = shade;
     }
 }

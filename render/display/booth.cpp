@@ -19,14 +19,12 @@ Rgb around(const Film& film, const PixelRect& window, int x, int y, const LightO
   Rgb sum(0.0f);
   for (int v = std::max(window.y, y - 1); v <= std::min(window.y + window.height - 1, y + 1); ++v)
     for (int u = std::max(window.x, x - 1); u <= std::min(window.x + window.width - 1, x + 1); ++u)
-      if (film.hit(u, v).yarn == yarn)
-        sum += lightOf(static_cast<size_t>(v - window.y) * static_cast<size_t>(window.width) +
-                       static_cast<size_t>(u - window.x));
+      if (film.hit(u, v).yarn == yarn) sum += lightOf(pixelIndex(u - window.x, v - window.y, window.width));
   return sum;
 }
 
 size_t indexIn(const Frame& frame, const BoothPixel& from) {
-  return static_cast<size_t>(from.y) * static_cast<size_t>(frame.width) + static_cast<size_t>(from.x);
+  return pixelIndex(from.x, from.y, frame.width);
 }
 
 }  // namespace
@@ -50,14 +48,14 @@ const LampChanges& BoothChanges::at(int x, int y, int ofWidth, int ofHeight) con
   };
   const int column = along(x, ofWidth, width, piece.x, piece.width);
   const int row = along(y, ofHeight, height, piece.y, piece.height);
-  return pixels[static_cast<size_t>(row) * static_cast<size_t>(piece.width) + static_cast<size_t>(column)];
+  return pixels[pixelIndex(column, row, piece.width)];
 }
 
 BoothChanges boothChanges(const Film& film, const PathRecords& records, const Recolouring* shown,
                           std::span<const Recolouring, kBoothLamps.size()> lamps, int threads) {
   const PixelRect piece = boothPiece(film.width(), film.height());
   BoothChanges changes{film.width(), film.height(), {}};
-  changes.pixels.resize(static_cast<size_t>(piece.width) * static_cast<size_t>(piece.height));
+  changes.pixels.resize(pixelCount(piece.width, piece.height));
   std::vector<Sums> asShown;
   if (shown) asShown = records.recoloured(*shown, piece, threads);
   for (size_t lamp = 0; lamp < lamps.size(); ++lamp) {
@@ -68,7 +66,7 @@ BoothChanges boothChanges(const Film& film, const PathRecords& records, const Re
         const Rgb to = around(film, piece, x, y, [&](size_t i) { return under[i].recoloured; });
         const Rgb from =
             around(film, piece, x, y, [&](size_t i) { return shown ? asShown[i].recoloured : under[i].traced; });
-        changes.pixels[row * static_cast<size_t>(piece.width) + static_cast<size_t>(column)][lamp] =
+        changes.pixels[pixelIndex(column, static_cast<int>(row), piece.width)][lamp] =
             changeOfLight(from, to, Rgb(1.0f));
       }
     });

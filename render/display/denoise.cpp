@@ -70,7 +70,7 @@ class Exchange {
   }
 
  private:
-  size_t at(int x, int y) const { return static_cast<size_t>(y) * static_cast<size_t>(width_) + x; }
+  size_t at(int x, int y) const { return pixelIndex(x, y, width_); }
 
   template <class Body>
   void forRows(Body&& body) const {

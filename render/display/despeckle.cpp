@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "render/film/pixel_rect.h"
+
 namespace loomlight {
 
 void despeckle(std::span<glm::vec4> rgba, int width, int height, float limit) {
@@ -16,11 +18,12 @@ void despeckle(std::span<glm::vec4> rgba, int width, int height, float limit) {
       int count = 0;
       for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
-          around[count++] = before[static_cast<size_t>(v) * width + u];
+          around[count++] = before[pixelIndex(u, v, width)];
       std::nth_element(around.begin(), around.begin() + count / 2, around.begin() + count);
       const float most = limit * around[count / 2];
-      glm::vec4& pixel = rgba[static_cast<size_t>(y) * width + x];
-      const float own = before[static_cast<size_t>(y) * width + x];
+      const size_t i = pixelIndex(x, y, width);
+      glm::vec4& pixel = rgba[i];
+      const float own = before[i];
       if (own > most) pixel = glm::vec4(glm::vec3(pixel) * (most / own), pixel.a);
     }
 }
@@ -30,7 +33,7 @@ void soften(std::span<glm::vec4> rgba, int width, int height) {
     return 0.25f * (before + 2.0f * own + after);
   };
   std::vector<glm::vec4> rows(rgba.size());
-  const auto at = [width](int x, int y) { return static_cast<size_t>(y) * static_cast<size_t>(width) + x; };
+  const auto at = [width](int x, int y) { return pixelIndex(x, y, width); };
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       rows[at(x, y)] = mix(rgba[at(std::max(0, x - 1), y)], rgba[at(x, y)], rgba[at(std::min(width - 1, x + 1), y)]);

@@ -16,8 +16,7 @@ constexpr int kReach = 2;  // of the average, pixels to each side
 class AreaSums {
  public:
   template <class Value>
-  AreaSums(int width, int height, Value&& value)
-      : stride_(width + 1), sums_(static_cast<size_t>(stride_) * (height + 1)) {
+  AreaSums(int width, int height, Value&& value) : stride_(width + 1), sums_(pixelCount(stride_, height + 1)) {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) at(x + 1, y + 1) = value(x, y) + at(x, y + 1) + at(x + 1, y) - at(x, y);
   }
@@ -26,8 +25,8 @@ class AreaSums {
   }
 
  private:
-  double& at(int x, int y) { return sums_[static_cast<size_t>(y) * stride_ + x]; }
-  double at(int x, int y) const { return sums_[static_cast<size_t>(y) * stride_ + x]; }
+  double& at(int x, int y) { return sums_[pixelIndex(x, y, stride_)]; }
+  double at(int x, int y) const { return sums_[pixelIndex(x, y, stride_)]; }
 
   int stride_;
   std::vector<double> sums_;
@@ -65,7 +64,7 @@ std::optional<Difference> differenceOf(const Film& picture, const Film& truth, c
   const double truthMean = truthSum / (static_cast<double>(width) * height);
   constexpr int kShades = 256;
   const std::vector<Rgb> shades = differenceScale(kShades);
-  difference.map.reserve(static_cast<size_t>(width) * height);
+  difference.map.reserve(pixelCount(width, height));
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const int left = std::max(0, x - kReach), right = std::min(width, x + kReach + 1);

@@ -36,7 +36,7 @@ Pixels8 differencePicture(const Pixels8& first, const Pixels8& second) {
   const auto end = static_cast<int>(columns.rend() - std::find_if(columns.rbegin(), columns.rend(), known));
   Pixels8 difference{width, height, 3, std::vector<uint8_t>(first.bytes.size(), kMiddleGrey)};
   const auto pixel = [](const Pixels8& picture, int x, int y) {
-    const uint8_t* rgb = picture.bytes.data() + 3 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + x);
+    const uint8_t* rgb = picture.bytes.data() + 3 * pixelIndex(x, y, picture.width);
     return glm::ivec3(rgb[0], rgb[1], rgb[2]);
   };
   parallelFor(static_cast<size_t>(height), 0, [&](size_t row) {
@@ -50,7 +50,7 @@ Pixels8 differencePicture(const Pixels8& first, const Pixels8& second) {
       const int left = std::max(begin, x - kReach), right = std::min(end, x + kReach + 1);
       const glm::ivec3 sum = std::accumulate(sums.begin() + left, sums.begin() + right, glm::ivec3(0));
       const int count = (right - left) * (bottom - top);
-      uint8_t* rgb = difference.bytes.data() + 3 * (row * static_cast<size_t>(width) + static_cast<size_t>(x));
+      uint8_t* rgb = difference.bytes.data() + 3 * pixelIndex(x, y, width);
       for (int c = 0; c < 3; ++c)
         rgb[c] = static_cast<uint8_t>(std::min(255, (kGain * std::abs(sum[c]) + count / 2) / count));
     }

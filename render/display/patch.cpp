@@ -23,12 +23,12 @@ bool sameCrossing(const Film::Hit& a, const Film::Hit& b) {
 /// For each pixel of the new picture, whether the old one shows nothing like it there: about the same pixels, as a
 /// sample may lie anywhere in a coarse one and the next yarn may have moved a little.
 std::vector<bool> newlySeen(const Frame& fresh, const Frame& old) {
-  assert(fresh.width >= (old.width + fresh.divider - 1) / fresh.divider);
+  assert(fresh.width >= coarser(old.width, fresh.divider));
   const int size = fresh.divider, around = std::max(1, size / 4);
   std::vector<bool> changed(fresh.hits.size(), true);
   for (int y = 0; y < fresh.height; ++y)
     for (int x = 0; x < fresh.width; ++x) {
-      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(fresh.width) + static_cast<size_t>(x);
+      const size_t i = pixelIndex(x, y, fresh.width);
       const int right = std::min(old.width, (x + 1) * size + around), left = std::max(0, x * size - around);
       for (int v = std::max(0, y * size - around); v < std::min(old.height, (y + 1) * size + around); ++v) {
         const Film::Hit* row = &old.hits[static_cast<size_t>(v) * static_cast<size_t>(old.width)];
@@ -73,11 +73,10 @@ size_t middleOf(size_t pixel, const Frame& fresh, const Frame& old) {
 void addTurned(std::vector<bool>& changed, const Frame& fresh, const Frame& old, const Weave& now, const Weave& then) {
   for (int y = 0; y < old.height; ++y)
     for (int x = 0; x < old.width; ++x) {
-      const Film::Hit& hit = old.hits[static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x)];
+      const Film::Hit& hit = old.hits[pixelIndex(x, y, old.width)];
       if (hit.end < 0 || hit.pick < 0) continue;
       if (!isTurned(now, then, hit.pick, hit.end)) continue;
-      changed[static_cast<size_t>(y / fresh.divider) * static_cast<size_t>(fresh.width) +
-              static_cast<size_t>(x / fresh.divider)] = true;
+      changed[pixelIndex(x / fresh.divider, y / fresh.divider, fresh.width)] = true;
     }
 }
 
@@ -86,10 +85,10 @@ std::vector<bool> around(const std::vector<bool>& pixels, int width, int height,
   std::vector<bool> wider(pixels.size(), false);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      if (!pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]) continue;
+      if (!pixels[pixelIndex(x, y, width)]) continue;
       for (int v = std::max(0, y - distance); v <= std::min(height - 1, y + distance); ++v)
         for (int u = std::max(0, x - distance); u <= std::min(width - 1, x + distance); ++u)
-          wider[static_cast<size_t>(v) * static_cast<size_t>(width) + static_cast<size_t>(u)] = true;
+          wider[pixelIndex(u, v, width)] = true;
     }
   return wider;
 }
@@ -132,12 +131,11 @@ Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave&
   const float ratio = 1.0f / static_cast<float>(fresh.divider);
   for (int y = 0; y < old.height; ++y)
     for (int x = 0; x < old.width; ++x) {
-      const size_t coarse = static_cast<size_t>(y / fresh.divider) * static_cast<size_t>(fresh.width) +
-                            static_cast<size_t>(x / fresh.divider);
+      const size_t coarse = pixelIndex(x / fresh.divider, y / fresh.divider, fresh.width);
       const Between u(x, ratio, 0, fresh.width), v(y, ratio, 0, fresh.height);
       const float share = resampled(shares, fresh.width, u, v).x;
       if (share == 0) continue;
-      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x);
+      const size_t i = pixelIndex(x, y, old.width);
       whole.rgba[i] = glm::mix(old.rgba[i], resampled(fresh.rgba, fresh.width, u, v), share);
       if (helped) whole.helped[i] = glm::mix(whole.helped[i], resampled(fresh.plain(), fresh.width, u, v), share);
       if (denoised) whole.denoised[i] = glm::mix(old.denoised[i], resampled(fresh.denoised, fresh.width, u, v), share);

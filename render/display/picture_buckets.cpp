@@ -7,21 +7,14 @@
 // is. A finished bucket fades out towards neighbours that are not there yet, over a quarter of its side, so that no
 // edge between old and new pixels is seen.
 namespace loomlight {
-namespace {
-
-int bucketsAlong(int pixels, int side) {
-  return (pixels + side - 1) / side;
-}
-
-}  // namespace
 
 PictureBuckets::PictureBuckets(const PixelRect& window, int side)
     : window_(window),
       width_(side > 0 ? side : window.width),
       height_(side > 0 ? side : window.height),
-      columns_(bucketsAlong(window.width, width_)),
-      rows_(bucketsAlong(window.height, height_)),
-      order_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_)),
+      columns_(coarser(window.width, width_)),
+      rows_(coarser(window.height, height_)),
+      order_(pixelCount(columns_, rows_)),
       isDone_(order_.size(), false) {
   std::iota(order_.begin(), order_.end(), size_t{0});
   const auto fromMiddle = [this](size_t index) {  // squared, in half pixels
@@ -42,7 +35,7 @@ float PictureBuckets::shown(int x, int y) const {
   const int column = (x - window_.x) / width_, row = (y - window_.y) / height_;
   const auto done = [&](int c, int r) {
     const bool outside = c < 0 || r < 0 || c >= columns_ || r >= rows_;
-    return outside || isDone_[static_cast<size_t>(r) * static_cast<size_t>(columns_) + static_cast<size_t>(c)];
+    return outside || isDone_[pixelIndex(c, r, columns_)];
   };
   if (!done(column, row)) return 0;
   const float soft = 0.25f * static_cast<float>(std::min(width_, height_));

@@ -74,10 +74,10 @@ LightChange changeOfLight(Rgb from, Rgb to, Rgb lamps) {
 Recoloured recolour(const Film& film, const PathRecords& records, const Recolouring& recolouring, int threads) {
   const int width = film.width(), height = film.height();
   const std::vector<PathRecords::Sums> sums = records.recoloured(recolouring, threads);
-  const auto at = [&](int x, int y) -> const PathRecords::Sums& { return sums[static_cast<size_t>(y) * width + x]; };
+  const auto at = [&](int x, int y) -> const PathRecords::Sums& { return sums[pixelIndex(x, y, width)]; };
 
   std::vector<int> yarns(sums.size());
-  const auto yarnAt = [&](int x, int y) -> int& { return yarns[static_cast<size_t>(y) * width + x]; };
+  const auto yarnAt = [&](int x, int y) -> int& { return yarns[pixelIndex(x, y, width)]; };
   parallelFor(static_cast<size_t>(height), threads, [&](size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) yarnAt(x, y) = film.hit(x, y).yarn;
@@ -99,7 +99,7 @@ Recoloured recolour(const Film& film, const PathRecords& records, const Recolour
       const bool complete = own.samples > 0 && own.samples == film.samples(x, y);
       const LightChange change = changeOfLight(around.traced, around.recoloured, recolouring.light);
       const Rgb colour = complete ? own.recoloured / static_cast<float>(own.samples) : change(film.mean(x, y));
-      const size_t i = row * static_cast<size_t>(width) + static_cast<size_t>(x);
+      const size_t i = pixelIndex(x, y, width);
       result.rgba[i] = glm::vec4(colour, film.alpha(x, y));
       result.change[i] = change;
       if (around.freedom <= 0) continue;

@@ -39,7 +39,7 @@ glm::vec4 mixed(std::span<const glm::vec4> fresh, int freshWidth, std::span<cons
 }
 
 const Film::Hit& hitAt(const Frame& frame, int x, int y) {
-  return frame.hits[static_cast<size_t>(y) * static_cast<size_t>(frame.width) + static_cast<size_t>(x)];
+  return frame.hits[pixelIndex(x, y, frame.width)];
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ Frame reframed(const Frame& fresh, const Frame& old, int width, int height, int 
   whole.samples = fresh.samples;
   whole.seconds = fresh.seconds;
   whole.quality = std::min(fresh.quality, old.quality);
-  const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  const size_t pixels = pixelCount(width, height);
   whole.rgba.resize(pixels);
   whole.hits.resize(pixels);
   if (!fresh.helped.empty() || !old.helped.empty()) whole.helped.resize(pixels);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/film/pixel_rect.h"
+
 namespace loomlight {
 
 Between::Between(int pixel, float ratio, float offset, int count) {
@@ -13,7 +15,7 @@ Between::Between(int pixel, float ratio, float offset, int count) {
 }
 
 glm::vec4 resampled(std::span<const glm::vec4> picture, int width, const Between& x, const Between& y) {
-  const auto at = [&](int u, int v) { return picture[static_cast<size_t>(v) * static_cast<size_t>(width) + u]; };
+  const auto at = [&](int u, int v) { return picture[pixelIndex(u, v, width)]; };
   return glm::mix(glm::mix(at(x.first, y.first), at(x.second, y.first), x.share),
                   glm::mix(at(x.first, y.second), at(x.second, y.second), x.share), y.share);
 }

@@ -55,10 +55,10 @@ float StandIn::variance(int x, int y, uint32_t samples, float own) const {
 
 size_t StandIn::nearest(int x, int y, int divider) const {
   const Frame& f = *earlier_;
-  const auto index = [&](int pixel, int first, int count) {
-    return static_cast<size_t>(std::clamp((pixel * divider + divider / 2 - first) / f.divider, 0, count - 1));
+  const auto along = [&](int pixel, int first, int count) {
+    return std::clamp((pixel * divider + divider / 2 - first) / f.divider, 0, count - 1);
   };
-  return index(y, f.window.y, f.height) * static_cast<size_t>(f.width) + index(x, f.window.x, f.width);
+  return pixelIndex(along(x, f.window.x, f.width), along(y, f.window.y, f.height), f.width);
 }
 
 }  // namespace loomlight

@@ -22,6 +22,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "render/film/image.h"
+#include "render/film/pixel_rect.h"
 
 // How it works. OpenEXR 3 reads and writes. What a hostile file could make it allocate is checked before it sees the
 // file: a HeaderGuard goes through the attributes of every header (OpenEXR file layout) without believing any of
@@ -303,7 +304,7 @@ void writeExr(const std::string& file, const Image& image, double dpi) {
   if (dpi > 0) Imf::addXDensity(header, static_cast<float>(dpi));
   Imf::FrameBuffer buffer;
   for (const Image::Channel& channel : image.channels) {
-    assert(channel.values.size() == static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
+    assert(channel.values.size() == pixelCount(image.width, image.height));
     // OpenEXR shares one slice type between reading and writing; when writing it only reads.
     buffer.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.values.data(), header.dataWindow()));
   }

@@ -33,7 +33,7 @@ int clampId(int id) {
 Film::Film(int width, int height) : width_(width), height_(height) {
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
     throw InputError(fmt::format("a picture of {} x {} pixels: expected 1 to {} a side", width, height, kMaxSide));
-  const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
+  const size_t count = pixelCount(width, height);
   const auto tooLarge = [&] {
     return InputError(fmt::format("a picture of {} x {} pixels needs {:.1f} GB for its sums, more than there is", width,
                                   height, static_cast<double>(count * bytesPerPixel) * 1e-9));

@@ -98,9 +98,7 @@ class Film {
   };
   static_assert(sizeof(Pixel) == bytesPerPixel);
 
-  Pixel& at(int x, int y) {
-    return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
-  }
+  Pixel& at(int x, int y) { return pixels_[pixelIndex(x, y, width_)]; }
   const Pixel& at(int x, int y) const { return const_cast<Film*>(this)->at(x, y); }
   static glm::dvec3 radiance(const Pixel& pixel);
   static Rgb mean(const Pixel& pixel);

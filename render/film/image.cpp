@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/film/pixel_rect.h"
+
 namespace loomlight {
 
 const Image::Channel* Image::find(const std::string& name) const {
@@ -10,7 +12,7 @@ const Image::Channel* Image::find(const std::string& name) const {
 }
 
 std::vector<float>& Image::add(std::string name) {
-  channels.push_back({std::move(name), std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height))});
+  channels.push_back({std::move(name), std::vector<float>(pixelCount(width, height))});
   return channels.back().values;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 namespace loomlight {
 
@@ -15,6 +16,17 @@ inline PixelRect within(const PixelRect& rect, int width, int height) {
   const int left = std::clamp(rect.x, 0, width), top = std::clamp(rect.y, 0, height);
   return {left, top, std::clamp(rect.x + rect.width, left, width) - left,
           std::clamp(rect.y + rect.height, top, height) - top};
+}
+
+// Pictures are kept row by row from the top left.
+
+/// How many pixels a picture of this size has.
+inline size_t pixelCount(int width, int height) {
+  return static_cast<size_t>(width) * static_cast<size_t>(height);
+}
+/// The number of a pixel in a picture of this width.
+inline size_t pixelIndex(int x, int y, int width) {
+  return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
 }
 
 // Of a coarse picture each pixel stands for divider x divider of a fine one, from its top left on.

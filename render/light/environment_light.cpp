@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "render/film/image.h"
+#include "render/film/pixel_rect.h"
 #include "render/light/lat_long.h"
 
 // How it works. The picture is made finite and small enough, and a table of the mean luminance around every texel is
@@ -34,16 +35,16 @@ void clean(std::vector<float>& values) {
 /// Means of two by two pixels; at an odd edge, of the last one twice.
 std::vector<float> halve(const std::vector<float>& from, int width, int height) {
   const int w = (width + 1) / 2, h = (height + 1) / 2;
-  std::vector<float> to(static_cast<size_t>(w) * static_cast<size_t>(h));
+  std::vector<float> to(pixelCount(w, h));
   const auto value = [&](int x, int y) {
-    return from[static_cast<size_t>(std::min(y, height - 1)) * static_cast<size_t>(width) +
-                static_cast<size_t>(std::min(x, width - 1))];
+    return from[pixelIndex(std::min(x, width - 1), std::min(y, height - 1), width)];
   };
   for (int y = 0; y < h; ++y) {
-    for (int x = 0; x < w; ++x)
-      to[static_cast<size_t>(y) * static_cast<size_t>(w) + static_cast<size_t>(x)] =
-          0.25f *
-          (value(2 * x, 2 * y) + value(2 * x + 1, 2 * y) + value(2 * x, 2 * y + 1) + value(2 * x + 1, 2 * y + 1));
+    for (int x = 0; x < w; ++x) {
+      const float sum =
+          value(2 * x, 2 * y) + value(2 * x + 1, 2 * y) + value(2 * x, 2 * y + 1) + value(2 * x + 1, 2 * y + 1);
+      to[pixelIndex(x, y, w)] = 0.25f * sum;
+    }
   }
   return to;
 }
@@ -132,9 +133,7 @@ Rgb EnvironmentLight::lookUp(glm::vec3 d) const {
   const int left = (static_cast<int>(floorX) + width) % width, right = (left + 1) % width;
   const int top = std::clamp(static_cast<int>(floorY), 0, height - 1);
   const int bottom = std::clamp(static_cast<int>(floorY) + 1, 0, height - 1);
-  const auto texel = [&](int column, int row) {
-    return map_->texels[static_cast<size_t>(row) * static_cast<size_t>(width) + static_cast<size_t>(column)];
-  };
+  const auto texel = [&](int column, int row) { return map_->texels[pixelIndex(column, row, width)]; };
   const float fx = x - floorX, fy = y - floorY;
   return glm::mix(glm::mix(texel(left, top), texel(right, top), fx),
                   glm::mix(texel(left, bottom), texel(right, bottom), fx), fy);

@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/units.h"
+#include "render/film/pixel_rect.h"
 #include "render/light/lat_long.h"
 
 // How it works. Each of the surroundings is a function of direction, averaged over the texels of a map of all
@@ -28,7 +29,7 @@ double paperUnder(const Image& image) {
   for (int y = 0; y < kHeight / 2; ++y) {
     const double top = std::cos(kPi * y / kHeight), bottom = std::cos(kPi * (y + 1) / kHeight);
     const double perTexel = (top * top - bottom * bottom) * kPi / kWidth;  // solid angle times cosine
-    for (int x = 0; x < kWidth; ++x) sum += perTexel * values[static_cast<size_t>(y) * kWidth + x];
+    for (int x = 0; x < kWidth; ++x) sum += perTexel * values[pixelIndex(x, y, kWidth)];
   }
   return sum / kPi;
 }
@@ -39,7 +40,7 @@ Image imageOf(const Radiance& radiance) {
   Image image;
   image.width = kWidth;
   image.height = kHeight;
-  std::vector<float> values(static_cast<size_t>(kWidth) * kHeight);
+  std::vector<float> values(pixelCount(kWidth, kHeight));
   parallelFor(kHeight, 0, [&](size_t y) {
     for (size_t x = 0; x < kWidth; ++x) {
       double sum = 0;

@@ -6,6 +6,7 @@
 
 #include "render/colour/colour_space.h"
 #include "render/colour/tone.h"
+#include "render/film/pixel_rect.h"
 
 namespace loomlight {
 
@@ -18,7 +19,7 @@ Rgb heatColour(double value) {
 }
 
 Pixels8 heatMap(const std::vector<float>& values, int width, int height, double range) {
-  assert(values.size() == static_cast<size_t>(width) * static_cast<size_t>(height) && range > 0);
+  assert(values.size() == pixelCount(width, height) && range > 0);
   Pixels8 pixels{width, height, 3, {}};
   pixels.bytes.reserve(3 * values.size());
   for (const float value : values) {

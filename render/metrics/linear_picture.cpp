@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "render/film/pixel_rect.h"
 
 namespace loomlight {
 
 LinearPicture linearPicture(const Image& image, const std::string& file) {
   LinearPicture picture{image.width, image.height, {}};
-  picture.pixels.resize(static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
+  picture.pixels.resize(pixelCount(image.width, image.height));
   const char* const names[] = {"R", "G", "B"};
   for (int i = 0; i < 3; ++i) {
     const Image::Channel* channel = image.find(names[i]);

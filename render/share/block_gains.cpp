@@ -64,7 +64,7 @@ BlockGains::Block BlockGains::Compared::at(int x, int y) const {
   const int u = x / divider, v = y / divider;
   const uint32_t samples = film.samples(u, v);
   if (samples == 0) return {};
-  const size_t i = static_cast<size_t>(v) * static_cast<size_t>(shared.width) + static_cast<size_t>(u);
+  const size_t i = pixelIndex(u, v, shared.width);
   // Of as much cloth in both, or how much there is of it would pass for light.
   const float alpha = shared.alpha[i], together = static_cast<float>(divider * divider);
   const Rgb light = film.alpha(u, v) * shared.light[i], difference = alpha * film.mean(u, v) - light;
@@ -78,7 +78,7 @@ BlockGains::Block BlockGains::Compared::at(int x, int y) const {
 
 BlockGains::Grid<BlockGains::Block> BlockGains::smallest(std::span<const Compared> finestFirst, int threads) {
   const SharedPicture& shared = finestFirst.front().shared;
-  Grid<Block> blocks((shared.width + kSide - 1) / kSide, (shared.height + kSide - 1) / kSide);
+  Grid<Block> blocks(coarser(shared.width, kSide), coarser(shared.height, kSide));
   parallelFor(static_cast<size_t>(blocks.height), threads, [&](size_t row) {
     const int top = static_cast<int>(row) * kSide;
     for (int y = top; y < std::min(shared.height, top + kSide); ++y)

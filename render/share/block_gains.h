@@ -26,17 +26,12 @@ class BlockGains {
   /// One of each for blocks of one size, row by row.
   template <class OfBlock>
   struct Grid {
-    Grid(int w, int h) : width(w), height(h), all(static_cast<size_t>(w) * static_cast<size_t>(h)) {}
+    Grid(int w, int h) : width(w), height(h), all(pixelCount(w, h)) {}
     int width, height;
     std::vector<OfBlock> all;
 
-    OfBlock& at(int x, int y) { return all[index(x, y)]; }
-    const OfBlock& at(int x, int y) const { return all[index(x, y)]; }
-
-   private:
-    size_t index(int x, int y) const {
-      return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
-    }
+    OfBlock& at(int x, int y) { return all[pixelIndex(x, y, width)]; }
+    const OfBlock& at(int x, int y) const { return all[pixelIndex(x, y, width)]; }
   };
   /// Film and cells in it.
   struct Block {

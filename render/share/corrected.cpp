@@ -23,7 +23,7 @@ float relativeError2(const SharedPicture& shared, const Film& film, int threads)
     for (int x = 0; x < shared.width; ++x) {
       const uint32_t samples = film.samples(x, static_cast<int>(row));
       if (samples == 0) continue;
-      const size_t i = row * static_cast<size_t>(shared.width) + static_cast<size_t>(x);
+      const size_t i = pixelIndex(x, static_cast<int>(row), shared.width);
       const Rgb apart = film.mean(x, static_cast<int>(row)) - shared.light[i];
       rows[row] += {glm::dot(apart, apart), shared.variances[i] / static_cast<float>(samples),
                     glm::dot(shared.light[i], shared.light[i]), 1};
@@ -38,9 +38,8 @@ float relativeError2(const SharedPicture& shared, const Film& film, int threads)
 void brighten(SharedPicture& shared, const Film& film, std::span<const CoarseFilm> coarser, int threads) {
   const BlockGains gains(shared, film, coarser, threads);
   parallelFor(static_cast<size_t>(shared.height), threads, [&](size_t row) {
-    for (int x = 0; x < shared.width; ++x)
-      shared.light[row * static_cast<size_t>(shared.width) + static_cast<size_t>(x)] *=
-          gains.at(x, static_cast<int>(row));
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < shared.width; ++x) shared.light[pixelIndex(x, y, shared.width)] *= gains.at(x, y);
   });
 }
 
@@ -54,7 +53,7 @@ std::vector<glm::vec4> corrected(SharedPicture shared, const Film& film, std::sp
   parallelFor(static_cast<size_t>(shared.height), threads, [&](size_t row) {
     for (int x = 0; x < shared.width; ++x) {
       const int y = static_cast<int>(row);
-      const size_t i = row * static_cast<size_t>(shared.width) + static_cast<size_t>(x);
+      const size_t i = pixelIndex(x, y, shared.width);
       const glm::vec4 cells(shared.light[i], shared.alpha[i]);
       const auto samples = static_cast<float>(film.samples(x, y));
       const float alone = std::min(1.0f, samples / static_cast<float>(samplesAlone));

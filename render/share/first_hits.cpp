@@ -50,12 +50,10 @@ void lookUp(std::span<const PixelSample> samples, FirstFibres& fibres, const Cel
 FirstHits::FirstHits(int width, int height)
     : width_(width),
       height_(height),
-      most_(static_cast<uint32_t>(
-          std::clamp<size_t>(kLimit_bytes / sizeof(uint32_t) /
-                                 (static_cast<size_t>(std::max(1, width)) * static_cast<size_t>(std::max(1, height))),
-                             1, kMost))),
-      cells_(static_cast<size_t>(width) * static_cast<size_t>(height) * most_),
-      counts_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
+      most_(static_cast<uint32_t>(std::clamp<size_t>(
+          kLimit_bytes / sizeof(uint32_t) / pixelCount(std::max(1, width), std::max(1, height)), 1, kMost))),
+      cells_(pixelCount(width, height) * most_),
+      counts_(pixelCount(width, height)) {}
 
 bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task,
                       double budget_s) {

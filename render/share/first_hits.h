@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "render/film/pixel_rect.h"
 #include "render/media/medium.h"
 #include "render/scene/camera_rays.h"
 #include "render/scene/scene.h"
@@ -50,9 +51,7 @@ class FirstHits {
     const size_t pixel = pixelAt(x, y);
     return {&cells_[pixel * most_], counts_[pixel]};
   }
-  size_t pixelAt(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
-  }
+  size_t pixelAt(int x, int y) const { return pixelIndex(x, y, width_); }
 
  private:
   bool traceBand(const Scene& scene, const Medium& medium, CellSums& cells, const Task& task);

@@ -18,7 +18,7 @@ namespace loomlight {
 std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells,
                                    const CameraRays& camera, int width, int height, const Task& task) {
   SeenFibres seen(width, height);
-  std::vector<Film::Hit> hits(static_cast<size_t>(width) * static_cast<size_t>(height));
+  std::vector<Film::Hit> hits(pixelCount(width, height));
   constexpr int kStripRows = 4;  // that one thread does at a time
   const CellMeans means(cells);
   parallelFor(static_cast<size_t>((height + kStripRows - 1) / kStripRows), task.threads, [&](size_t strip) {
@@ -31,7 +31,7 @@ std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, con
     if (!fibres.trace(samples, task)) return;
     for (size_t i = 0; i < samples.size(); ++i) {
       const PixelSample& sample = samples[i];
-      const size_t pixel = static_cast<size_t>(sample.y) * static_cast<size_t>(width) + static_cast<size_t>(sample.x);
+      const size_t pixel = pixelIndex(sample.x, sample.y, width);
       const Collision* const fibre = fibres.at(i);
       if (!fibre) {
         seen.misses(pixel, fibres.isThrough(i));
@@ -50,7 +50,7 @@ void brightenTo(SharedPicture& picture, const Film& coarse, int finer, int threa
   const BlockGains gains(reduced(picture, finer), coarse, {}, threads);
   parallelFor(static_cast<size_t>(picture.height), threads, [&](size_t row) {
     for (int x = 0; x < picture.width; ++x)
-      picture.light[row * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] *=
+      picture.light[pixelIndex(x, static_cast<int>(row), picture.width)] *=
           gains.at((glm::vec2(x, row) + 0.5f) / static_cast<float>(finer));
   });
 }

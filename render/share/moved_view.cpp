@@ -25,10 +25,6 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 constexpr int kCell = 2;  // pixels of the picture for one of the map, each way
 
-size_t indexIn(int width, int x, int y) {
-  return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
-}
-
 bool isWithin(const Frame& picture, const CameraRays::Projection& at) {
   return at.x >= 0 && at.y >= 0 && at.x < static_cast<float>(picture.width) &&
          at.y < static_cast<float>(picture.height);
@@ -36,15 +32,15 @@ bool isWithin(const Frame& picture, const CameraRays::Projection& at) {
 
 /// How far the nearest cloth is from the camera, for cells of some pixels.
 struct DistanceMap {
-  DistanceMap(int w, int h) : width(w), height(h), all_mm(static_cast<size_t>(w) * static_cast<size_t>(h), kNothing) {}
+  DistanceMap(int w, int h) : width(w), height(h), all_mm(pixelCount(w, h), kNothing) {}
 
   /// Whether it has such a cell, with some cloth in it.
   bool has(int x, int y) const {
-    return x >= 0 && y >= 0 && x < width && y < height && all_mm[indexIn(width, x, y)] < kNothing;
+    return x >= 0 && y >= 0 && x < width && y < height && all_mm[pixelIndex(x, y, width)] < kNothing;
   }
 
-  float& at(int x, int y) { return all_mm[indexIn(width, x, y)]; }
-  float at(int x, int y) const { return all_mm[indexIn(width, x, y)]; }
+  float& at(int x, int y) { return all_mm[pixelIndex(x, y, width)]; }
+  float at(int x, int y) const { return all_mm[pixelIndex(x, y, width)]; }
 
   int width, height;
   std::vector<float> all_mm;
@@ -52,10 +48,10 @@ struct DistanceMap {
 
 /// Points fall into cells in any order, and the nearest stays.
 DistanceMap distancesOf(const Frame& earlier, const CameraRays& from, const CameraRays& to, int threads) {
-  DistanceMap map((earlier.width + kCell - 1) / kCell, (earlier.height + kCell - 1) / kCell);
+  DistanceMap map(coarser(earlier.width, kCell), coarser(earlier.height, kCell));
   parallelFor(static_cast<size_t>(earlier.height), threads, [&](size_t row) {
     for (int x = 0; x < earlier.width; ++x) {
-      const Film::Hit& hit = earlier.hits[indexIn(earlier.width, x, static_cast<int>(row))];
+      const Film::Hit& hit = earlier.hits[pixelIndex(x, static_cast<int>(row), earlier.width)];
       if (hit.yarn < 0) continue;
       const Ray ray = from.ray(static_cast<float>(x) + 0.5f, static_cast<float>(row) + 0.5f);
       const auto seen = to.project(ray.origin + hit.depth_mm * ray.direction);
@@ -121,8 +117,8 @@ struct Around {
     auto* pixel = pixels.data();
     for (const int v : {0, 1})
       for (const int u : {0, 1})
-        *pixel++ = {indexIn(width, std::clamp(static_cast<int>(left) + u, 0, width - 1),
-                            std::clamp(static_cast<int>(top) + v, 0, height - 1)),
+        *pixel++ = {pixelIndex(std::clamp(static_cast<int>(left) + u, 0, width - 1),
+                               std::clamp(static_cast<int>(top) + v, 0, height - 1), width),
                     (u ? across : 1 - across) * (v ? down : 1 - down)};
   }
 
@@ -174,7 +170,7 @@ float relativeNoise2(const SharedPicture& picture, const Film& film) {
   double apart = 0, texture = 0, light = 0;
   for (int y = 0; y < picture.height; ++y)
     for (int x = 1; x < picture.width; ++x) {
-      const size_t right = indexIn(picture.width, x, y), left = right - 1;
+      const size_t right = pixelIndex(x, y, picture.width), left = right - 1;
       if (picture.alpha[left] == 0 || picture.alpha[right] == 0) continue;
       const auto difference = [&](int u, size_t i) {
         return picture.alpha[i] * film.mean(u, y) - film.alpha(u, y) * picture.light[i];
@@ -213,7 +209,7 @@ MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRa
       if (!then || !isWithin(earlier, *then)) continue;
       const float reach_mm = thickness_mm + slant_mm(map, u, v);
       const Around around(width, height, then->x, then->y);
-      const size_t nearest = indexIn(width, static_cast<int>(then->x), static_cast<int>(then->y));
+      const size_t nearest = pixelIndex(static_cast<int>(then->x), static_cast<int>(then->y), width);
       const auto shown = pixelOf(earlier, nearest, around, then->distance_mm, reach_mm);
       if (!shown) continue;
       Film::Hit hit = earlier.hits[*shown];
@@ -222,7 +218,7 @@ MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRa
       const auto isSame = [&](size_t i) {
         return hit.yarn < 0 ? earlier.hits[i].yarn < 0 : isAt(then->distance_mm, reach_mm, earlier.hits[i]);
       };
-      const size_t i = indexIn(width, x, y);
+      const size_t i = pixelIndex(x, y, width);
       view.light[i] = between(earlier.plain(), around, isSame);
       if (hit.yarn >= 0) hit.depth_mm = distance_mm;
       view.hits[i] = hit;
@@ -236,7 +232,7 @@ void brightenTo(MovedView& view, const Film& coarse, int divider, int threads) {
   SharedPicture all(view.width, view.height);
   parallelFor(static_cast<size_t>(view.height), threads, [&](size_t row) {
     for (int x = 0; x < view.width; ++x) {
-      const size_t i = indexIn(view.width, x, static_cast<int>(row));
+      const size_t i = pixelIndex(x, static_cast<int>(row), view.width);
       all.light[i] = Rgb(view.light[i]);
       all.alpha[i] = view.light[i].a;
     }
@@ -248,7 +244,7 @@ void brightenTo(MovedView& view, const Film& coarse, int divider, int threads) {
   const BlockGains gains(small, coarse, {}, threads);
   parallelFor(static_cast<size_t>(view.height), threads, [&](size_t row) {
     for (int x = 0; x < view.width; ++x) {
-      glm::vec4& light = view.light[indexIn(view.width, x, static_cast<int>(row))];
+      glm::vec4& light = view.light[pixelIndex(x, static_cast<int>(row), view.width)];
       light = glm::vec4(Rgb(light) * gains.at((glm::vec2(x, row) + 0.5f) / static_cast<float>(divider)), light.a);
     }
   });
@@ -262,7 +258,7 @@ float missingIn(const MovedView& view, const Film& coarse, int divider) {
       ++cloth;
       const int u = std::min(x * divider + divider / 2, view.width - 1);
       const int v = std::min(y * divider + divider / 2, view.height - 1);
-      missing += view.kept[indexIn(view.width, u, v)] == 0;
+      missing += view.kept[pixelIndex(u, v, view.width)] == 0;
     }
   return cloth > 0 ? static_cast<float>(missing) / static_cast<float>(cloth) : 0.0f;
 }
@@ -279,12 +275,12 @@ Frame filledFrom(const Frame& fresh, const MovedView& view, int threads) {
     const int y = static_cast<int>(row);
     const Between down(y, ratio, 0, fresh.height);
     for (int x = 0; x < view.width; ++x) {
-      const size_t i = indexIn(view.width, x, y);
+      const size_t i = pixelIndex(x, y, view.width);
       if (view.kept[i]) continue;
       whole.rgba[i] = resampled(fresh.plain(), fresh.width, Between(x, ratio, 0, fresh.width), down);
       if (!fresh.hits.empty())
-        whole.hits[i] = fresh.hits[indexIn(fresh.width, std::min(x / fresh.divider, fresh.width - 1),
-                                           std::min(y / fresh.divider, fresh.height - 1))];
+        whole.hits[i] = fresh.hits[pixelIndex(std::min(x / fresh.divider, fresh.width - 1),
+                                              std::min(y / fresh.divider, fresh.height - 1), fresh.width)];
     }
   });
   whole.helped = whole.rgba;

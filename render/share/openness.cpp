@@ -79,12 +79,10 @@ float Openness::worthOfAround(int threads) const {
 /// As it is of pixels twice as wide, which have several rays where those have one. This ends in a single block at the
 /// latest, as that has nothing around it.
 float Openness::worthOfBlocks(int threads) const {
-  const int width = (width_ + 1) / 2, height = (height_ + 1) / 2;
-  std::vector<ClothRays> blocks(static_cast<size_t>(width) * static_cast<size_t>(height));
+  const int width = coarser(width_, 2), height = coarser(height_, 2);
+  std::vector<ClothRays> blocks(pixelCount(width, height));
   for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x)
-      add(blocks[static_cast<size_t>(y / 2) * static_cast<size_t>(width) + static_cast<size_t>(x / 2)],
-          pixels_[indexOf(x, y)]);
+    for (int x = 0; x < width_; ++x) add(blocks[pixelIndex(x / 2, y / 2, width)], pixels_[indexOf(x, y)]);
   return Openness(blocks, width, height, threads).worthOfAround_rays();
 }
 

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "render/film/pixel_rect.h"
+
 namespace loomlight {
 
 /// Of the rays through a pixel: how many came into the cloth, and how many of these met none of its fibres.
@@ -33,9 +35,7 @@ class Openness {
   float worthOfAround_rays() const { return worth_; }
 
  private:
-  size_t indexOf(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
-  }
+  size_t indexOf(int x, int y) const { return pixelIndex(x, y, width_); }
   ClothRays around(int x, int y) const;
   float worthOfAround(int threads) const;
   float worthOfBlocks(int threads) const;

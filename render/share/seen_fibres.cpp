@@ -11,11 +11,7 @@
 namespace loomlight {
 
 SeenFibres::SeenFibres(int width, int height)
-    : width_(width),
-      height_(height),
-      rays_(static_cast<size_t>(width) * static_cast<size_t>(height)),
-      past_(rays_.size()),
-      fibres_(rays_.size()) {}
+    : width_(width), height_(height), rays_(pixelCount(width, height)), past_(rays_.size()), fibres_(rays_.size()) {}
 
 void SeenFibres::meets(size_t pixel, const CellMeans::Mean& light) {
   ++rays_[pixel].in;

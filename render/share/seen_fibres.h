@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/film/pixel_rect.h"
 #include "render/share/cell_sums.h"
 #include "render/share/openness.h"
 #include "render/share/shared_picture.h"
@@ -26,9 +27,7 @@ class SeenFibres {
   SharedPicture picture(int threads) const;
 
  private:
-  size_t indexOf(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
-  }
+  size_t indexOf(int x, int y) const { return pixelIndex(x, y, width_); }
   CellMeans::Mean fibresNear(int x, int y) const;
 
   int width_, height_;

@@ -8,13 +8,12 @@
 namespace loomlight {
 
 SharedPicture reduced(const SharedPicture& fine, int side) {
-  const int width = (fine.width + side - 1) / side, height = (fine.height + side - 1) / side;
+  const int width = coarser(fine.width, side), height = coarser(fine.height, side);
   SharedPicture coarse(width, height);
   for (int y = 0; y < fine.height; ++y)
     for (int x = 0; x < fine.width; ++x) {
       const int u = x / side, v = y / side;
-      const size_t from = static_cast<size_t>(y) * static_cast<size_t>(fine.width) + static_cast<size_t>(x);
-      const size_t to = static_cast<size_t>(v) * static_cast<size_t>(width) + static_cast<size_t>(u);
+      const size_t from = pixelIndex(x, y, fine.width), to = pixelIndex(u, v, width);
       const int pixels = std::min(side, fine.width - u * side) * std::min(side, fine.height - v * side);
       const float share = 1.0f / static_cast<float>(pixels);
       coarse.light[to] += share * fine.light[from];

@@ -13,11 +13,7 @@ namespace loomlight {
 struct SharedPicture {
   /// Black and empty at first.
   SharedPicture(int w, int h)
-      : width(w),
-        height(h),
-        light(static_cast<size_t>(w) * static_cast<size_t>(h)),
-        alpha(light.size()),
-        variances(light.size()) {}
+      : width(w), height(h), light(pixelCount(w, h)), alpha(light.size()), variances(light.size()) {}
 
   int width, height;
   std::vector<Rgb> light;  ///< linear, premultiplied

@@ -126,7 +126,7 @@ std::array<PathRecords::Sums, PathRecords::kTile * PathRecords::kTile> PathRecor
 
 std::vector<PathRecords::Sums> PathRecords::recoloured(const Recolouring& recolouring, const PixelRect& window,
                                                        int threads) const {
-  std::vector<Sums> picture(static_cast<size_t>(window.width) * static_cast<size_t>(window.height));
+  std::vector<Sums> picture(pixelCount(window.width, window.height));
   parallelFor(tiles_.size(), threads, [&](size_t i) {
     const int column = static_cast<int>(i % columns_) * kTile, row = static_cast<int>(i / columns_) * kTile;
     const int left = std::max(column, window.x), right = std::min(column + kTile, window.x + window.width);
@@ -135,8 +135,7 @@ std::vector<PathRecords::Sums> PathRecords::recoloured(const Recolouring& recolo
     const std::array<Sums, kTile * kTile> sums = sum(tiles_[i], recolouring);
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x)
-        picture[static_cast<size_t>(y - window.y) * static_cast<size_t>(window.width) +
-                static_cast<size_t>(x - window.x)] = sums[inTile(x, y)];
+        picture[pixelIndex(x - window.x, y - window.y, window.width)] = sums[inTile(x, y)];
   });
   return picture;
 }
