@@ -1,12 +1,9 @@
 #include "render/transport/light_columns.h"
 
-#include <algorithm>
-
 namespace loomlight {
 
 LightColumns::Kind LightColumns::kindOf(const PathLight& light, std::span<const float> lengths_mm) {
-  return {.material = light.traverse_mm > 0 ? light.material : kNoFibre,
-          .isWithin = std::any_of(lengths_mm.begin(), lengths_mm.end(), [](float length) { return length > 0; })};
+  return {.material = light.sender(), .isWithin = isWithinFibres(lengths_mm)};
 }
 
 LightColumns::LightColumns(Kind kind, size_t materials)
@@ -18,7 +15,7 @@ bool LightColumns::add(const PathLight& light, std::span<const float> lengths_mm
   if (!budget.makeRoom(columns_, columns(i + 1)) || !budget.makeRoom(samples_, i + 1)) return false;
   columns_.resize(columns(i + 1));
   samples_.push_back(sample);
-  const Rgb radiance = isSent() ? light.radiance : light.radiance * light.modes[0];
+  const Rgb radiance = light.arriving();
   for (int c = 0; c < 3; ++c) at(i, kRadiance + static_cast<size_t>(c)) = radiance[c];
   if (isSent()) {
     for (size_t p = 0; p < light.modes.size(); ++p) at(i, kModes + p) = light.modes[p];

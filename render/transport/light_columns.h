@@ -18,11 +18,10 @@ class LightColumns {
  public:
   /// Of lights that need the same to get their colours.
   struct Kind {
-    int material = kNoFibre;  ///< of the fibres that sent them onto their paths
-    bool isWithin = false;    ///< whether their paths have been inside of fibres
+    int material = PathLight::kNoFibre;  ///< PathLight::sender()
+    bool isWithin = false;               ///< whether their paths have been inside of fibres
     auto operator<=>(const Kind&) const = default;
   };
-  static constexpr int kNoFibre = -1;
   static Kind kindOf(const PathLight& light, std::span<const float> lengths_mm);
 
   struct alignas(64) Column {
@@ -39,7 +38,7 @@ class LightColumns {
   std::span<const uint32_t> samples() const { return samples_; }
   /// The columns of the block in which a light is; it is number light % kWalkLanes there.
   const Column* block(size_t light) const { return &columns_[light / kWalkLanes * perBlock_]; }
-  // Which of these is what, if the kind has it: three primaries, ...
+  // Which of these is what, if the kind has it: three primaries of PathLight::arriving(), ...
   static constexpr size_t kRadiance = 0;
   // ... if fibres sent the lights, their PathLight::modes, traverse_mm and internalReflectance, ...
   static constexpr size_t kModes = 3, kTraverse_mm = kModes + FibreBcsdf::kModes,
@@ -56,7 +55,7 @@ class LightColumns {
   void renumber(std::span<const uint32_t> numbers, RecordBudget& budget);
 
  private:
-  bool isSent() const { return kind_.material != kNoFibre; }
+  bool isSent() const { return kind_.material != PathLight::kNoFibre; }
   /// Of so many lights.
   size_t columns(size_t lights) const { return (lights + kWalkLanes - 1) / kWalkLanes * perBlock_; }
   /// The number of a light in a column of its block.

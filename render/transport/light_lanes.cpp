@@ -29,7 +29,6 @@ class Lanes {
   using Number = Real;
   using Bands = Real;
   static constexpr size_t kSideBySide = 1;
-  static constexpr int kNoFibre = LightColumns::kNoFibre;
 
   HWY_INLINE Lanes(const LightColumns& lights, size_t first, Rgb lamps)
       : columns_(lights.block(first)), lane_(first % kWalkLanes), lengths_mm_(lights.lengths_mm()), lamps_(lamps) {
@@ -64,7 +63,7 @@ class Lanes {
   const LightColumns::Column* columns_;
   size_t lane_, lengths_mm_;
   Rgb lamps_;
-  int sender_ = kNoFibre;
+  int sender_ = PathLight::kNoFibre;
   std::array<Real, FibreBcsdf::kModes> modes_;  // only where a fibre sent the lights, and so are the next two
   Real traverse_mm_, internalReflectance_;
 };
@@ -85,7 +84,7 @@ void addColoursOfKind(const LightColumns& lights, const Colouring& colouring, Rg
 
 void addColoursInLanes(const LightColumns& lights, const Colouring& colouring, Rgb lamps, std::span<Rgb> samples) {
   const LightColumns::Kind& kind = lights.kind();
-  if (kind.material == LightColumns::kNoFibre)
+  if (kind.material == PathLight::kNoFibre)
     (kind.isWithin ? addColoursOfKind<false, true> : addColoursOfKind<false, false>)(lights, colouring, lamps, samples);
   else
     (kind.isWithin ? addColoursOfKind<true, true> : addColoursOfKind<true, false>)(lights, colouring, lamps, samples);

@@ -10,10 +10,10 @@
 //   Number, Bands        the type of a number of a light, and of what it has in kSideBySide bands
 //   of(rgb, c)           primaries from c on, or
 //   of(spectrum, j)      bands from j on: of dyes and of the eye, and so the same for all lights
-//   radiance(c)          primaries from c on, with the mode R of light that the path has found by itself
+//   radiance(c)          primaries from c on of PathLight::arriving()
 //   isWithin()           whether the path has gone inside of fibres; isWithin(k) of material k, length_mm(k)
-//   sender()             the material of the fibre that sent the light onto the path, or kNoFibre; if there is one,
-//   mode(p), traverse_mm(), internalReflectance()     are those of PathLight
+//   sender()             that of PathLight; where it is a fibre, mode(p), traverse_mm() and internalReflectance() are
+//                        those of PathLight, too
 //   apart(primaries)     each primary by itself
 //   sum(partial)         of the partial sums over every fourth band
 //
@@ -46,7 +46,7 @@ template <class Lights>
       exponent = exponent - Lights::of(absorption_per_mm[k], c) * lights.length_mm(k);
     left = left * exponential(exponent);
   }
-  if (lights.sender() == Lights::kNoFibre) return left;
+  if (lights.sender() == PathLight::kNoFibre) return left;
   const auto sender = static_cast<size_t>(lights.sender());
   if (colouring.isSpectral(sender)) return left;
   return left * sentOn(lights, exponential(Lights::of(absorption_per_mm[sender], c) * -lights.traverse_mm()));
@@ -77,7 +77,8 @@ template <class Lights>
     const Lights& lights, const std::array<typename Lights::Number, 3>& primaries, const Colouring& colouring) {
   using Bands = typename Lights::Bands;
   const EyeResponse& eye = colouring.eye;
-  const bool isSent = lights.sender() != Lights::kNoFibre && colouring.isSpectral(static_cast<size_t>(lights.sender()));
+  const bool isSent =
+      lights.sender() != PathLight::kNoFibre && colouring.isSpectral(static_cast<size_t>(lights.sender()));
   const Spectrum* const sender_per_mm =
       isSent ? &colouring.bands_per_mm[static_cast<size_t>(lights.sender())] : nullptr;
   InAllBands<Lights> exponents;

@@ -20,12 +20,9 @@ class OneLight {
   using Number = float;
   using Bands = Float32x4;
   static constexpr size_t kSideBySide = 4;
-  static constexpr int kNoFibre = -1;
 
   OneLight(const PathLight& light, std::span<const float> lengths_mm)
-      : light_(light),
-        lengths_mm_(lengths_mm),
-        isWithin_(std::any_of(lengths_mm.begin(), lengths_mm.end(), [](float length) { return length > 0; })) {}
+      : light_(light), lengths_mm_(lengths_mm), isWithin_(isWithinFibres(lengths_mm)) {}
 
   static Float32x4 of(const Rgb& rgb, size_t) { return Float32x4{rgb.r, rgb.g, rgb.b, 0}; }
   static Float32x4 of(const Spectrum& spectrum, size_t j) {
@@ -34,14 +31,11 @@ class OneLight {
     return four;
   }
 
-  int sender() const { return light_.traverse_mm > 0 ? light_.material : kNoFibre; }
+  int sender() const { return light_.sender(); }
   float mode(size_t p) const { return light_.modes[p]; }
   float traverse_mm() const { return light_.traverse_mm; }
   float internalReflectance() const { return light_.internalReflectance; }
-  Float32x4 radiance(size_t c) const {
-    const Float32x4 all = of(light_.radiance, c);
-    return sender() == kNoFibre ? all * mode(0) : all;
-  }
+  Float32x4 radiance(size_t c) const { return of(light_.arriving(), c); }
   bool isWithin() const { return isWithin_; }
   bool isWithin(size_t k) const { return lengths_mm_[k] > 0; }
   float length_mm(size_t k) const { return lengths_mm_[k]; }
@@ -56,6 +50,10 @@ class OneLight {
 };
 
 }  // namespace
+
+bool isWithinFibres(std::span<const float> lengths_mm) {
+  return std::any_of(lengths_mm.begin(), lengths_mm.end(), [](float length) { return length > 0; });
+}
 
 Rgb transmittance(std::span<const Rgb> absorption_per_mm, std::span<const float> lengths_mm) {
   Rgb exponent(0.0f);

@@ -165,8 +165,7 @@ size_t bytesNeeded(uint32_t samples, const Scene& scene, const Medium& medium) {
           const LightColumns::Kind kind = LightColumns::kindOf(log.light(light), log.lengths_mm(light));
           const size_t ofAll = 4, ofFibre = 6,
                        ofLengths = 2;  // radiance and sample; modes, traverse, inside; materials
-          bytes +=
-              4 * (ofAll + (kind.material == LightColumns::kNoFibre ? 0 : ofFibre) + (kind.isWithin ? ofLengths : 0));
+          bytes += 4 * (ofAll + (kind.material == PathLight::kNoFibre ? 0 : ofFibre) + (kind.isWithin ? ofLengths : 0));
         }
       }
   return bytes;
