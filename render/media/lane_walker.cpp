@@ -43,8 +43,8 @@ void CellCache::fill(glm::ivec3 cell, CellLanes& lanes, size_t lane) {
   }
 }
 
-LaneWalker::LaneWalker(const TraceData& cloth, const Rules& rules)
-    : cloth_(cloth), lanes_(std::make_unique<WalkLanes>()), cells_(cloth) {
+LaneWalker::LaneWalker(const TraceData& cloth, const WalkRules& rules)
+    : cloth_(cloth), field_{rules}, lanes_(std::make_unique<WalkLanes>()), cells_(cloth) {
   const ClothVolume& volume = *cloth.volume;
   field_.blocks = volume.blocks();
   field_.components = volume.components();
@@ -52,11 +52,6 @@ LaneWalker::LaneWalker(const TraceData& cloth, const Rules& rules)
     field_.size_mm[axis] = volume.grid().size_mm[axis];
     field_.perCell[axis] = volume.grid().cell[axis];
   }
-  field_.farthest_mm = rules.farthest_mm;
-  field_.packing = rules.packing;
-  field_.hotSpot = rules.hotSpot;
-  field_.boxes = rules.boxes;
-  field_.byDensity = rules.law == EventLaw::report;
   field_.flat = cloth.shell->isFlat();
   *lanes_ = {};
   lanes_->stop.fill(static_cast<int32_t>(WalkStop::leftSegment));

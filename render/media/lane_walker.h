@@ -81,14 +81,7 @@ class DepthRayEnds {
 /// cell of the weave, or another tetrahedron of the shell. For one thread; the cloth must outlive it.
 class LaneWalker {
  public:
-  struct Rules {
-    float farthest_mm = 0;               ///< no axis is looked for farther ahead of the light
-    bool packing = true;                 ///< light keeps to the gaps between fibres that do not overlap
-    bool hotSpot = true;                 ///< what is known of fibres counts
-    bool boxes = true;                   ///< fibres are in the boxes of their voxels alone
-    EventLaw law = EventLaw::projected;  ///< by which a component is chosen (WalkField::byDensity)
-  };
-  LaneWalker(const TraceData& cloth, const Rules& rules);
+  LaneWalker(const TraceData& cloth, const WalkRules& rules);
 
   /// All of them to their ends, in any order. Returns in how many voxels with content they used up depth.
   uint64_t walk(std::span<const DepthRay> rays, DepthRayEnds& ends);

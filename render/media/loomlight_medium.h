@@ -75,8 +75,9 @@ class LoomlightMedium final : public Medium {
   // What a batch is made of:
   const TraceData& cloth() const { return *cloth_; }
   const Ingredients& ingredients() const { return ingredients_; }
-  LaneWalker::Rules walkRules() const {
-    return {farthest_mm_, ingredients_.packing, ingredients_.hotSpot, ingredients_.boxes, ingredients_.law};
+  WalkRules walkRules() const {
+    return {farthest_mm_, ingredients_.packing, ingredients_.hotSpot, ingredients_.boxes,
+            ingredients_.law == EventLaw::report};
   }
   float radius_mm() const { return radius_mm_; }  ///< see below
   glm::mat3 toClothOf(int tet) const;             ///< d cloth / d world

@@ -30,19 +30,23 @@ struct SpreadPairs {
   explicit SpreadPairs(const TangentSpread& table);
 };
 
-/// What all rays of a walk have in common: the volume, and what is known of fibres.
-struct WalkField {
-  const BrickBlock* blocks = nullptr;
-  const Component* components = nullptr;
-  const SpreadPairs& spreads = SpreadPairs::table();
-  float size_mm[3] = {1, 1, 1};  ///< of a voxel
-  int32_t perCell[3] = {1, 1, 1};
+/// The law of a walk, as LoomlightMedium has it.
+struct WalkRules {
   float farthest_mm = 0;   ///< no axis is looked for farther ahead of the light
   bool packing = true;     ///< light keeps to the gaps between fibres of packed yarns
   bool hotSpot = true;     ///< fibres near the flights before are known to be absent
   bool boxes = true;       ///< fibres are in the boxes of their voxels alone; else spread over the voxels
   bool byDensity = false;  ///< which component is met hangs on density alone (EventLaw::report)
-  bool flat = true;        ///< cloth space is the world, but for a translation
+};
+
+/// What all rays of a walk have in common: its law, and the volume.
+struct WalkField : WalkRules {
+  const BrickBlock* blocks = nullptr;
+  const Component* components = nullptr;
+  const SpreadPairs& spreads = SpreadPairs::table();
+  float size_mm[3] = {1, 1, 1};  ///< of a voxel
+  int32_t perCell[3] = {1, 1, 1};
+  bool flat = true;  ///< cloth space is the world, but for a translation
 };
 
 /// Why a ray stopped.
@@ -70,7 +74,7 @@ struct CellLanes {
 
 /// Which fibres a voxel of each ray holds, or a place in it.
 struct FoundLanes {
-  LaneFloats whole;    ///< extinction of all, 1/mm; each component in its box, where WalkField::boxes holds
+  LaneFloats whole;    ///< extinction of all, 1/mm; each component in its box, where WalkRules::boxes holds
   LaneInts component;  ///< the number of the component, if there is one alone; kNone or kSeveral if not
   LaneInts slot;       ///< whose brick that component is in
   static constexpr int32_t kNone = -1, kSeveral = -2;
@@ -158,7 +162,7 @@ struct ChoiceLanes : VoxelPlaceLanes {
   LaneInts component, slot;  ///< as FoundLanes'; kNone where the voxel is empty
 };
 
-/// In proportion to their extinction at the place (WalkField::boxes), with hotSpot only as much of it as `known`
+/// In proportion to their extinction at the place (WalkRules::boxes), with hotSpot only as much of it as `known`
 /// leaves; with byDensity to their density alone. Where nothing counts, it is one of them all the same. Cost: about one
 /// step of walk().
 void chooseComponents(const WalkField& field, ChoiceLanes& lanes);

@@ -56,7 +56,7 @@ struct CorrelatedShare {
 /// are that it goes by.
 class VoxelsOnRay {
  public:
-  VoxelsOnRay(const TraceData& cloth, const LaneWalker::Rules& rules, const DepthRay& ray)
+  VoxelsOnRay(const TraceData& cloth, const WalkRules& rules, const DepthRay& ray)
       : cloth_(cloth),
         rules_(rules),
         known_(*ray.known),
@@ -157,7 +157,7 @@ class VoxelsOnRay {
   }
 
   const TraceData& cloth_;
-  LaneWalker::Rules rules_;
+  WalkRules rules_;
   const KnownFibres& known_;
   float clear_mm_;
   float lightStart_ = 0;  ///< where the light is in the segment, from the segment's origin
@@ -177,7 +177,7 @@ struct WalkEnd {
   glm::ivec3 voxel{0};
 };
 
-inline WalkEnd loneWalk(const TraceData& cloth, const LaneWalker::Rules& rules, const DepthRay& ray) {
+inline WalkEnd loneWalk(const TraceData& cloth, const WalkRules& rules, const DepthRay& ray) {
   WalkEnd end;
   double left = ray.depth;
   for (VoxelsOnRay voxel(cloth, rules, ray); voxel.next();) {
