@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 // Embree 3 (Debian 12) and Embree 4 (Debian 13) differ in how a query is handed over; only this file knows how.
 #ifndef LOOMLIGHT_EMBREE_MAJOR
 #error "Embree is for the sources of this room alone: LOOMLIGHT_EMBREE_MAJOR is not defined"
@@ -18,14 +20,14 @@ using QueryContext = RTCRayQueryContext;
 inline void initialise(QueryContext& context) {
   rtcInitRayQueryContext(&context);
 }
-/// The nearest hit, as rtcIntersect1 of either version.
+/// As rtcIntersect1 of either version.
 inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& query) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.context = &context;
   rtcIntersect1(scene, &query, &arguments);
 }
-/// Any hit, as rtcOccluded1 of either version: `query.tfar` is negative then.
+/// As rtcOccluded1 of either version.
 inline void occluded(RTCScene scene, QueryContext& context, RTCRay& query) {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
@@ -45,5 +47,36 @@ inline void occluded(RTCScene scene, QueryContext& context, RTCRay& query) {
   rtcOccluded1(scene, &context, &query);
 }
 #endif
+
+/// A ray whose hits count from tNear to tFar.
+inline RTCRay rayOf(glm::vec3 origin, glm::vec3 direction, float tNear, float tFar) {
+  RTCRay ray{};
+  ray.org_x = origin.x;
+  ray.org_y = origin.y;
+  ray.org_z = origin.z;
+  ray.dir_x = direction.x;
+  ray.dir_y = direction.y;
+  ray.dir_z = direction.z;
+  ray.tnear = tNear;
+  ray.tfar = tFar;
+  ray.mask = ~0u;
+  return ray;
+}
+/// The ray with the nearest hit, at its tfar, if it has any.
+inline RTCRayHit nearestHit(RTCScene scene, QueryContext& context, const RTCRay& ray) {
+  RTCRayHit query{ray, {}};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  intersect(scene, context, query);
+  return query;
+}
+inline bool isHit(const RTCRayHit& query) {
+  return query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+}
+/// Whether it has no hit at all.
+inline bool isFree(RTCScene scene, QueryContext& context, RTCRay ray) {
+  occluded(scene, context, ray);
+  return ray.tfar >= 0;  // negative where there was one
+}
 
 }  // namespace loomlight::embree

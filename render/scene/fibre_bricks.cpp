@@ -50,7 +50,7 @@ struct FibreBricks::Reader::Query {
   uint64_t ownFibre;
   float ownUntil;  ///< of Embree's ray
 
-  /// `entry`: where the ray comes into the cell, from the cell's corner, at `from`.
+  /// `from`: where on the ray Embree's begins.
   Query(const Cell::Reaching& reaching, const ClothRay& ray, float from)
       : of(&reaching), ownFibre(ray.ownFibre), ownUntil(ray.ownUntil - from) {
     embree::initialise(embree);
@@ -185,15 +185,13 @@ std::optional<FibreHit> FibreBricks::Reader::meet(const ClothRay& ray) {
     for (int i = 0; i < cell.count; ++i) {
       const Cell::Reaching& of = cell.bricks[i];
       const float length = (nearest ? nearest->distance_mm : to) - from;
-      RTCRayHit found{RoundCurves::ray(entry - of.centre_mm, ray.direction, length), {}};
-      if (!of.brick->isOn(found.ray)) continue;
-      found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      const RTCRay asked = embree::rayOf(entry - of.centre_mm, ray.direction, 0, length);
+      if (!of.brick->isOn(asked)) continue;
       Query query(of, ray, from);
-      embree::intersect(of.brick->scene, query.embree, found);
-      const RTCHit& hit = found.hit;
-      if (hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-      nearest = {from + found.ray.tfar,
+      const RTCRayHit met = embree::nearestHit(of.brick->scene, query.embree, asked);
+      if (!embree::isHit(met)) continue;
+      const RTCHit& hit = met.hit;
+      nearest = {from + met.ray.tfar,
                  glm::normalize(glm::vec3(hit.Ng_x, hit.Ng_y, hit.Ng_z)),
                  of.brick->curves.tangent(hit.primID),
                  of.brick->curves.radius_mm(hit.primID),
@@ -212,11 +210,10 @@ bool FibreBricks::Reader::isFree(const ClothRay& ray) {
   forEachCell(ray, [&](const Cell& cell, glm::vec3 entry, float from, float to) {
     for (int i = 0; i < cell.count && free; ++i) {
       const Cell::Reaching& of = cell.bricks[i];
-      RTCRay asked = RoundCurves::ray(entry - of.centre_mm, ray.direction, to - from);
+      const RTCRay asked = embree::rayOf(entry - of.centre_mm, ray.direction, 0, to - from);
       if (!of.brick->isOn(asked)) continue;
       Query query(of, ray, from);
-      embree::occluded(of.brick->scene, query.embree, asked);
-      free = asked.tfar >= 0;
+      free = embree::isFree(of.brick->scene, query.embree, asked);
     }
     return !free;
   });

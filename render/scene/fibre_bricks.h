@@ -97,8 +97,8 @@ class FibreBricks::Reader {
   };
   const Cell& at(glm::ivec3 cell);
   void gather(glm::ivec3 cell, Cell& reaching) const;
-  /// visit(Cell, the ray at t = 0 from the cell's corner, t there and where it leaves) in each cell of the ray in turn,
-  /// until that returns true.
+  /// visit(Cell, where the ray comes into it, counted from its corner, and t there and where it leaves) in each cell of
+  /// the ray in turn, until that returns true.
   template <class Visit>
   void forEachCell(const ClothRay& ray, const Visit& visit);
 

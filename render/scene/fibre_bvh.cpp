@@ -13,9 +13,8 @@
 
 // How it works. The fibres of each end and each pick are one Embree geometry of round linear curves, bent by the drape
 // when they are laid. A flat piece of many repeats has one repeat laid and the rest as instances of it. Rays are
-// answered through a filter: a surface counts only from outside; not the surface
-// of the fibre that the ray has just left, within its clearance; and not what the last instances have beyond the edge
-// of the piece.
+// answered through a filter: a surface counts only from outside; not the surface of the fibre that the ray has just
+// left, within its clearance; and not what the last instances have beyond the edge of the piece.
 
 namespace loomlight {
 namespace {
@@ -210,17 +209,14 @@ std::unique_ptr<const FibreBvh> FibreBvh::build(std::shared_ptr<const TraceData>
 
 std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
   RayContext context(ray);
-  RTCRayHit query{};
-  query.ray = RoundCurves::ray(ray.origin, ray.direction, ray.length_mm);
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  embree::intersect(impl_->piece, context.embree, query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const PlacedFibre fibre = impl_->placed(query.hit);
+  const RTCRay asked = embree::rayOf(ray.origin, ray.direction, 0, ray.length_mm);
+  const RTCRayHit met = embree::nearestHit(impl_->piece, context.embree, asked);
+  if (!embree::isHit(met)) return std::nullopt;
+  const PlacedFibre fibre = impl_->placed(met.hit);
   const YarnCurves& yarn = fibre.yarn;
   FibreHit hit;
-  hit.distance_mm = query.ray.tfar;
-  hit.normal = glm::normalize(glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
+  hit.distance_mm = met.ray.tfar;
+  hit.normal = glm::normalize(glm::vec3(met.hit.Ng_x, met.hit.Ng_y, met.hit.Ng_z));
   hit.tangent = yarn.curves().tangent(fibre.segment);
   hit.radius_mm = yarn.curves().radius_mm(fibre.segment);
   hit.system = yarn.system();
@@ -233,9 +229,7 @@ std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
 
 bool FibreBvh::isFree(const FibreRay& ray) const {
   RayContext context(ray);
-  RTCRay query = RoundCurves::ray(ray.origin, ray.direction, ray.length_mm);
-  embree::occluded(impl_->piece, context.embree, query);
-  return query.tfar >= 0;
+  return embree::isFree(impl_->piece, context.embree, embree::rayOf(ray.origin, ray.direction, 0, ray.length_mm));
 }
 
 size_t FibreBvh::segments() const {

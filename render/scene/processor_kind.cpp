@@ -40,14 +40,12 @@ RoundCurves tangle(Random& random) {
 /// Where a ray from about the cube, towards a point in it, meets the scene.
 uint64_t digestOfRay(RTCScene scene, Random& random) {
   const glm::vec3 from = 3.0f * pointInCube(random) - 1.0f, to = pointInCube(random);
-  RTCRayHit query{};
-  query.ray = RoundCurves::ray(from, glm::normalize(to - from), std::numeric_limits<float>::infinity());
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  const RTCRay ray = embree::rayOf(from, glm::normalize(to - from), 0, std::numeric_limits<float>::infinity());
   embree::QueryContext context;
   embree::initialise(context);
-  embree::intersect(scene, context, query);
-  uint64_t digest = query.hit.geomID;
-  for (const float value : {query.ray.tfar, query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z})
+  const RTCRayHit met = embree::nearestHit(scene, context, ray);
+  uint64_t digest = met.hit.geomID;
+  for (const float value : {met.ray.tfar, met.hit.Ng_x, met.hit.Ng_y, met.hit.Ng_z})
     digest = hashCombine(digest, std::bit_cast<uint32_t>(value));
   return digest;
 }

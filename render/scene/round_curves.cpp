@@ -15,19 +15,6 @@ RTCGeometry RoundCurves::geometry(RTCDevice device, RTCFilterFunctionN filter, v
   return curves;
 }
 
-RTCRay RoundCurves::ray(glm::vec3 origin, glm::vec3 direction, float length) {
-  RTCRay ray{};
-  ray.org_x = origin.x;
-  ray.org_y = origin.y;
-  ray.org_z = origin.z;
-  ray.dir_x = direction.x;
-  ray.dir_y = direction.y;
-  ray.dir_z = direction.z;
-  ray.tfar = length;
-  ray.mask = ~0u;
-  return ray;
-}
-
 bool RoundCurves::isFromInside(const RTCFilterFunctionNArguments& args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args.ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args.hit);

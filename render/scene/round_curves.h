@@ -33,7 +33,6 @@ class RoundCurves {
   /// releases it.
   RTCGeometry geometry(RTCDevice device, RTCFilterFunctionN filter, void* user) const;
 
-  static RTCRay ray(glm::vec3 origin, glm::vec3 direction, float length);
   /// Of a filter's hit: whether the ray comes to the surface from inside of the fibre.
   static bool isFromInside(const RTCFilterFunctionNArguments& hit);
 

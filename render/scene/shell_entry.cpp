@@ -97,8 +97,7 @@ void meetFace(const RTCIntersectFunctionNArguments* arguments) {
     if (within) context.leaves = std::min(context.leaves, crossing->t);
     return;
   }
-  const bool another = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-  if (another && crossing->t == ray.tfar && arguments->primID > query.hit.primID) return;
+  if (embree::isHit(query) && crossing->t == ray.tfar && arguments->primID > query.hit.primID) return;
   if (behind(shell, context, arguments->primID, crossing->t).tet < 0) return;
   ray.tfar = crossing->t;
   query.hit.geomID = arguments->geomID;
@@ -165,22 +164,13 @@ std::optional<ShellEntry::Hit> ShellEntry::enter(glm::vec3 origin, glm::vec3 dir
     EntryContext context{{}, origin, direction, tMin, shift, kProgress * far};
     embree::initialise(context.embree);
     const glm::vec3 start = origin - shift * direction + context.progress * aside(direction, attempt);
-    RTCRayHit query{};
-    query.ray.org_x = start.x;
-    query.ray.org_y = start.y;
-    query.ray.org_z = start.z;
-    query.ray.dir_x = direction.x;
-    query.ray.dir_y = direction.y;
-    query.ray.dir_z = direction.z;
-    query.ray.tnear = tMin;  // as far behind the true tMin as the origin was moved
-    query.ray.tfar = tMax + shift;
-    query.ray.mask = ~0u;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    embree::intersect(scene_.get(), context.embree, query);
-    const bool entered = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-    const bool slipped = context.leaves < (entered ? query.ray.tfar : std::numeric_limits<float>::infinity());
+    // It begins as far behind the true tMin as the origin was moved.
+    const RTCRay ray = embree::rayOf(start, direction, tMin, tMax + shift);
+    const RTCRayHit met = embree::nearestHit(scene_.get(), context.embree, ray);
+    const bool entered = embree::isHit(met);
+    const bool slipped = context.leaves < (entered ? met.ray.tfar : std::numeric_limits<float>::infinity());
     if (entered && (!slipped || attempt + 1 == kAttempts))
-      return behind(*shell_, context, query.hit.primID, query.ray.tfar);
+      return behind(*shell_, context, met.hit.primID, met.ray.tfar);
     if (!slipped) break;
   }
   return std::nullopt;
