@@ -2,15 +2,10 @@
 
 #include "render/bvdf/local_cell.h"
 #include "render/media/loomlight_batch.h"
+#include "render/media/shell_walk.h"
 
 namespace loomlight {
 namespace {
-
-glm::vec3 normalAt(const Shell& shell, const ScenePoint& place) {
-  if (shell.isFlat()) return {0, 0, 1};
-  const glm::mat3 frame = shell.frame(place.tet, place.world);
-  return glm::normalize(glm::cross(frame[0], frame[1]));
-}
 
 /// Distance to the far side of the cell around a place. Within the cell the drape is taken as affine: cells are small
 /// against its triangles, or its triangles nearly in one plane.
@@ -78,7 +73,9 @@ class ReportMedium::Batch final : public MediumBatch {
   /// How much of the light is seen within the cell around the fibre that it leaves, by the table of its yarn.
   float nearby(const ShadowRay& ray) const {
     const LastMet& last = met_[ray.path];
-    const glm::mat3 frame = eventFrame(normalAt(*medium_.cloth_->shell, place(ray.path)), last.tangent);
+    const ScenePoint& from = place(ray.path);
+    const glm::vec3 normal = LocalDrape::at(*medium_.cloth_->shell, from.tet, from.world).normal();
+    const glm::mat3 frame = eventFrame(normal, last.tangent);
     return 1 - medium_.bvdf_->of(last.yarn).occlusion(ray.direction * frame, -last.incoming * frame);
   }
 

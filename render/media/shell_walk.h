@@ -15,6 +15,12 @@ struct LocalDrape {
   float densityScale = 1.0f;  ///< 1 / det frame: the same fibres in more or less room
   bool isometric = true;      ///< flat: nothing to transform
 
+  /// At a place of the world that is in this tetrahedron of the shell.
+  static LocalDrape at(const Shell& shell, int tet, glm::vec3 world) {
+    if (shell.isFlat()) return {};
+    const glm::mat3 frame = shell.frame(tet, world);
+    return {frame, 1.0f / std::abs(glm::determinant(frame)), false};
+  }
   /// World tangent of unit length; `stretch` receives the factor on the fibre's length.
   glm::vec3 tangent(glm::vec3 cloth, float& stretch) const {
     const glm::vec3 bent = frame * cloth;
@@ -90,14 +96,8 @@ class ShellWalk {
     segment_.tLeave = std::min(tExit, tMax_);
     segment_.passed = passed_;
     segment_.clothOrigin = shell_.toCloth(tet_, origin_);
-    if (flat) {
-      segment_.clothDirection = direction_;
-    } else {
-      segment_.drape.frame = shell_.frame(tet_, origin_ + 0.5f * (t_ + segment_.tLeave) * direction_);
-      segment_.drape.densityScale = 1.0f / std::abs(glm::determinant(segment_.drape.frame));
-      segment_.drape.isometric = false;
-      segment_.clothDirection = shell_.tets()[tet_].toCloth * direction_;
-    }
+    segment_.clothDirection = flat ? direction_ : shell_.tets()[tet_].toCloth * direction_;
+    segment_.drape = LocalDrape::at(shell_, tet_, origin_ + 0.5f * (t_ + segment_.tLeave) * direction_);
     over_ = tExit >= tMax_ || flat;  // flat: a box is convex, what leaves it is gone
     if (!over_) {
       t_ = tExit;

@@ -6,6 +6,7 @@
 #include "core/base/hash.h"
 #include "core/base/modulo.h"
 #include "core/base/units.h"
+#include "render/media/shell_walk.h"
 #include "render/scene/thread_shade.h"
 
 // How it works. A key is a hash that grows from level to level: yarn, fibre and the side seen; then edges near by and
@@ -91,13 +92,9 @@ LightCellPath LightCellKeys::of(const Collision& first, glm::vec2 jitter) {
     around_ = crossingsAround(pick_, end_);
   }
 
-  glm::vec3 n(0, 0, 1);
-  uint64_t lie = 0;
-  if (!shell.isFlat()) {
-    const glm::mat3 frame = shell.frame(first.place.tet, first.place.world);
-    n = glm::normalize(glm::cross(frame[0], frame[1]));  // an explicit fibre has a normal of its own
-    lie = lieBin(glm::normalize(frame[0]), n, jitter);
-  }
+  const LocalDrape drape = LocalDrape::at(shell, first.place.tet, first.place.world);
+  const glm::vec3 n = drape.normal();  // and not the collision's: an explicit fibre has one of its own
+  uint64_t lie = drape.isometric ? 0 : lieBin(glm::normalize(drape.frame[0]), n, jitter);
   if (lightIsNear_) {
     constexpr float kPatch_mm = 4;
     const glm::ivec2 patch(glm::floor(glm::vec2(place) / kPatch_mm + jitter));
