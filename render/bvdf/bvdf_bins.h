@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -26,6 +27,11 @@ struct BvdfAngles {
 /// The frame of an event: x = n x t, z = n, where n is the normal of the cloth's face and t the fibre's tangent,
 /// projected into the cloth (section 8.2 of the report). Columns are the axes. Any azimuth where t is the normal.
 glm::mat3 eventFrame(glm::vec3 normal, glm::vec3 tangent);
+
+/// The unit direction at theta from the z axis, and phi about it from the x axis.
+inline glm::vec3 polarDirection(float theta, float phi) {
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
 
 /// Angles of a pair of unit directions in the event's frame. Two rotations that map a yarn onto itself are divided out:
 /// t and -t are the same fibre, so both azimuths may turn by pi; and an eye behind the cloth sees what the same yarn,

@@ -10,10 +10,6 @@
 namespace loomlight {
 namespace {
 
-glm::vec3 direction(float theta, float phi) {
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
 float centre(int bin, int bins, float range) {
   return (static_cast<float>(bin) + 0.5f) / static_cast<float>(bins) * range;
 }
@@ -30,7 +26,8 @@ void drawSquare(const Bvdf& table, int square, Pixels8& picture, int left, int t
   const float phiI = kPiF * static_cast<float>(square) / (kSquares - 1);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const glm::vec3 wo = direction(centre(y, kSide, kPiF / 2), 0), wi = direction(centre(x, kSide, kPiF), phiI);
+      const glm::vec3 wo = polarDirection(centre(y, kSide, kPiF / 2), 0);
+      const glm::vec3 wi = polarDirection(centre(x, kSide, kPiF), phiI);
       const auto shade = static_cast<uint8_t>(std::lround(255 * (1 - table.occlusion(wi, wo))));
       const size_t at = 3 * pixelIndex(left + x, top + y, picture.width);
       picture.bytes[at] = picture.bytes[at + 1] = picture.bytes[at + 2] = shade;
@@ -51,8 +48,8 @@ Image bvdfImage(const BvdfSet& set) {
       for (int to = 0; to < r.thetaO; ++to)
         for (int pi = 0; pi < r.phiI; ++pi)
           for (int ti = 0; ti < r.thetaI; ++ti) {
-            const glm::vec3 wo = direction(centre(to, r.thetaO, kPiF / 2), centre(po, r.phiO, kPiF));
-            const glm::vec3 wi = direction(centre(ti, r.thetaI, kPiF), centre(pi, r.phiI, 2 * kPiF));
+            const glm::vec3 wo = polarDirection(centre(to, r.thetaO, kPiF / 2), centre(po, r.phiO, kPiF));
+            const glm::vec3 wi = polarDirection(centre(ti, r.thetaI, kPiF), centre(pi, r.phiI, 2 * kPiF));
             values[pixel++] = set.tables[t].occlusion(wi, wo);
           }
   }

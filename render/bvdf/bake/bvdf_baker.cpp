@@ -30,10 +30,6 @@ constexpr int kEyeThetas = 8, kEyePhis = 16;       // strata of a block
 constexpr int kLightThetas = 16, kLightPhis = 32;  // strata over the sphere; each eye ray takes a part of them
 constexpr size_t kMaxBins = size_t{1} << 25;       // of all tables: 256 MB of counts
 
-glm::vec3 direction(float theta, float phi) {
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
 /// The first fibre that an eye ray meets from a random place before (or behind) the patch, where it has neighbours.
 std::optional<Collision> firstHit(const BvdfPatch& patch, MediumPath& path, glm::vec3 wo, Random& random) {
   constexpr int kTries = 16;  // sheer cloth is mostly holes
@@ -103,7 +99,7 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
     const float u = random.uniform(), v = random.uniform();
     const float theta = (static_cast<float>(row) + u) / kEyeThetas * (0.5f * kPiF);
     const float phi = (static_cast<float>(column) + v) / kEyePhis * (2 * kPiF);
-    glm::vec3 wo = direction(theta, phi);
+    glm::vec3 wo = polarDirection(theta, phi);
     wo.z = side * std::max(wo.z, 1e-3f);
     wo = glm::normalize(wo);
     const auto hit = firstHit(*patch_, path, wo, random);
@@ -122,8 +118,8 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
       const auto ring = static_cast<uint32_t>(i % kLightThetas);
       const uint32_t column = (turn + 7 * static_cast<uint32_t>(i)) % kLightPhis;
       const float a = random.uniform(), b = random.uniform();
-      const glm::vec3 wiLocal = direction((static_cast<float>(ring) + a) / kLightThetas * kPiF,
-                                          (static_cast<float>(column) + b) / kLightPhis * (2 * kPiF));
+      const glm::vec3 wiLocal = polarDirection((static_cast<float>(ring) + a) / kLightThetas * kPiF,
+                                               (static_cast<float>(column) + b) / kLightPhis * (2 * kPiF));
       const glm::vec3 wi = frame * wiLocal;
       // Reflected light leaves where it came in, light through the fibre beyond it.
       path.leave(*hit, wi, glm::dot(wi, surface) > 0 ? 0 : through);
