@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 // How it works. Flights and shadow rays are both walks until an optical depth is used up: that of a flight is drawn
 // from an exponential, that of a shadow ray is where nothing is worth following any further. LaneWalker walks them in
@@ -10,8 +9,6 @@
 // former, eight at a time, and what is left of shadow rays' depths becomes visibility.
 namespace loomlight {
 namespace {
-
-constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// Exact down to e^-4; below that 0 or e^-4, because what hardly gets through is not worth walking for.
 constexpr float kExactDepth = 4.0f;
@@ -49,7 +46,7 @@ class LoomlightBatch::Flights final : public DepthRayEnds {
     const PathRay& pathRay = pathRays_[i];
     const float distance = rays_[i].tMax_mm;
     met_[i].reset();
-    if (distance == kNever) return;
+    if (std::isinf(distance)) return;  // it leaves the scene
     Path& path = paths_[pathRay.path];
     const ScenePoint place{path.place.world + distance * pathRay.direction, tet};
     met_[i] = medium_.meetBefore(place, pathRay.direction, distance, path.memory);
@@ -73,9 +70,7 @@ void LoomlightBatch::collide(std::span<const PathRay> pathRays, std::span<std::o
   rays_.clear();
   for (const PathRay& pathRay : pathRays) {
     const Path& path = paths_[pathRay.path];
-    const float toBefore = medium_.ingredients().hotSpot
-                               ? distanceTo(path.memory.known.before, path.place.world, pathRay.direction)
-                               : kNever;
+    const float toBefore = distanceTo(path.memory.known.before, path.place.world, pathRay.direction);
     const float depth = -std::log(1 - pathRay.random->uniform());
     rays_.push_back({path.place, pathRay.direction, toBefore, depth, &path.memory.known});
   }
@@ -110,7 +105,7 @@ void LoomlightBatch::transmitBeyond(std::span<ShadowRay> rays, std::span<const f
     ShadowRay& ray = rays[i];
     const Path& path = paths_[ray.path];
     const KnownFibres& known = path.memory.known;
-    if (medium_.ingredients().hotSpot && distanceTo(known.before, path.place.world, ray.direction) < ray.distance) {
+    if (distanceTo(known.before, path.place.world, ray.direction) < ray.distance) {
       ray.visible = 0;
       continue;
     }

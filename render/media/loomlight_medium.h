@@ -64,9 +64,9 @@ class LoomlightMedium final : public Medium {
     glm::vec3 lower_mm{0}, upper_mm{0};  ///< of where all of them are, from the light, in cloth space
     float ahead_mm = 0;                  ///< c
   };
-  /// Of a path. What is known of fibres is nothing without the hot spot.
+  /// Of a path.
   struct Memory {
-    KnownFibres known;
+    KnownFibres known;  ///< nothing without the hot spot
     HowMet howMet;
   };
 
