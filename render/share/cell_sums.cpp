@@ -112,7 +112,7 @@ CellSums::CellSums(size_t limit_bytes) {
 
 size_t CellSums::roomFor(int level) const {
   constexpr size_t kParts = 10;  // each level has one less than the one before, the finest of five has six
-  return room() - static_cast<size_t>(level) * room() / kParts;
+  return cells_.size() - static_cast<size_t>(level) * cells_.size() / kParts;
 }
 
 /// Where the key is, or would be.

@@ -45,8 +45,7 @@ class CellSums {
   /// That it and its CellMeans take at most, whatever comes; not above the limit. While means are made they take half
   /// as much again.
   size_t bytes() const { return bytes_; }
-  size_t room() const { return cells_.size(); }  ///< for so many cells in all
-  /// While there are fewer, cells of this level may be added.
+  /// While there are fewer cells in all, those of this level may be added.
   size_t roomFor(int level) const;
 
   struct Cell {

@@ -99,7 +99,7 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
   }
   if (!fate.hits || !sameCells || width != hits_->width() || height != hits_->height()) {
     // Most cells of the picture before may never be looked for again, and those of the next need room.
-    cells_->keep(static_cast<size_t>(kRoomOfEarlier * static_cast<double>(cells_->room())));
+    cells_->keep(static_cast<size_t>(kRoomOfEarlier * static_cast<double>(cells_->roomFor(0))));
     hits_ = std::make_unique<FirstHits>(width, height);
   }
   deposits_ = std::make_unique<CellDeposits>(*scene_, *cells_, *hits_);
@@ -112,8 +112,8 @@ bool SharedLight::waitsForFibres() const {
 }
 
 uint32_t SharedLight::samplesAtOnce(int width, int height) {
-  constexpr double kPaths =
-      4e6;  // each takes 20 bytes in a list that doubles as it grows, and 40 where its cell is new
+  // Each takes 20 bytes in a list that doubles as it grows, and 40 where its cell is new.
+  constexpr double kPaths = 4e6;
   return static_cast<uint32_t>(std::max(1.0, kPaths / std::max(1.0, static_cast<double>(width) * height)));
 }
 
