@@ -5,9 +5,9 @@
 namespace loomlight {
 
 /// The daylight of Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight" (SIGGRAPH 1999): the clear
-/// sky, the attenuated sun, and a grey ground below the horizon that both light. Radiances are scaled,
-/// channel by channel, so that white paper on the ground has radiance (1, 1, 1) with turbidity 3 and the sun 45
-/// degrees high: a fixed exposure and white balance, so that other hours and hazes keep their colour.
+/// sky, the attenuated sun, and a grey ground below the horizon that both light. Radiances are scaled, channel by
+/// channel, so that white paper on the ground has radiance (1, 1, 1) with turbidity 3 and the sun 45 degrees high: a
+/// fixed exposure and white balance, so that other hours and hazes keep their colour.
 ///
 /// The model knows no sun below the horizon; there the sky of sunset fades to night, dark at -6 degrees, the end of
 /// civil twilight, and the sun is gone.

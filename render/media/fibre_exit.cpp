@@ -21,7 +21,7 @@ glm::vec3 fibreExit(const TraceData& cloth, const Collision& collision, glm::vec
   return collision.axis + along * collision.tangent + collision.radius_mm * frame.toWorld(normal);
 }
 
-float traverse(const TraceData& cloth, const Collision& collision) {
+float traverse_radii(const TraceData& cloth, const Collision& collision) {
   const FibreFrame frame(collision.tangent);
   const Material& material = cloth.materials[static_cast<size_t>(collision.material)];
   return material.bcsdf->modes(frame.toLocal(-collision.incoming), collision.offset).chord_radii;

@@ -75,8 +75,7 @@ std::string FibreBricks::whyNone(const VolumeCounts& counts) {
   if (counts.segments <= kMostSegments) return "";
   return fmt::format(
       "Seen close by, voxels stay voxels: there are {:.0f} million fibre segments in cells that differ, too many to "
-      "show "
-      "fibres, for which there may be {:.0f} million.",
+      "show fibres, for which there may be {:.0f} million.",
       1e-6 * static_cast<double>(counts.segments), 1e-6 * static_cast<double>(kMostSegments));
 }
 

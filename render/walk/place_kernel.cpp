@@ -31,8 +31,7 @@ class Places {
   HWY_INLINE Vector direction() const { return vectorOf(lanes_.direction, lane_); }
   const Whole (&voxel() const)[3] { return voxel_; }
 
-  /// Calls visit(which places, numbers of their components, FibreLanes, Taken) for all that the voxels
-  /// hold.
+  /// Calls visit(which places, numbers of their components, FibreLanes, Taken) for all that the voxels hold.
   template <class Visit>
   HWY_INLINE void forEachComponent(const Visit& visit) const {
     const auto decoded = [&](Mask holds, Whole component, const Taken& taken) HWY_ATTR {

@@ -97,8 +97,8 @@ struct KnownLanes {
 
 /// Up to kWalkLanes rays, each in a segment of the cloth in which cloth space is an affine image of the world (a
 /// tetrahedron of the shell, or all of a flat piece), as columns of numbers. Distances t are in mm along the ray from
-/// where it begins. Positions in cloth space are counted from the lower corner of the ray's cell, so
-/// that floats are as exact on a wide cloth as on a small one.
+/// where it begins. Positions in cloth space are counted from the lower corner of the ray's cell, so that floats are as
+/// exact on a wide cloth as on a small one.
 struct alignas(64) WalkLanes {
   alignas(64) LaneInts stop;  ///< WalkStop
 
@@ -112,9 +112,9 @@ struct alignas(64) WalkLanes {
   LaneFloats tEnd;                  ///< no axes are looked for beyond
   LaneFloats lightStart, lightEnd;  ///< where the light is in the segment
   LaneFloats depth;                 ///< optical depth that is left
-  LaneFloats lastEnd,
-      lastFilled;  ///< where the fibres of the voxel before ended, and how much of the space there is fibre
-  LaneInts steps;  ///< voxels with content in which it has used up depth
+  LaneFloats lastEnd;               ///< where the fibres of the voxel before ended
+  LaneFloats lastFilled;            ///< how much of the space was fibre there, 0..1
+  LaneInts steps;                   ///< voxels with content in which it has used up depth
 
   // The cloth there:
   LaneFloats frame[3][3];   ///< [column][row] of d world / d cloth

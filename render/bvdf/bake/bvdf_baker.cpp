@@ -111,7 +111,7 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
     const glm::vec3 surface = hit->place.world - hit->axis;
     const LocalCell cell = LocalCell::around(scene.cloth->shell->toCloth(0, hit->place.world), *scene.cloth->volume);
     const glm::vec3 toCloth = scene.cloth->shell->toCloth(0, glm::vec3(0));
-    const float through = traverse(*scene.cloth, *hit);
+    const float through_radii = traverse_radii(*scene.cloth, *hit);
     const auto turn = random.below(kLightPhis);
     for (int i = 0; i < kShadowRays; ++i) {
       // Every stratum of theta as often as any other, and every one of phi: 7 is prime to their number.
@@ -122,7 +122,7 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
                                                (static_cast<float>(column) + b) / kLightPhis * (2 * kPiF));
       const glm::vec3 wi = frame * wiLocal;
       // Reflected light leaves where it came in, light through the fibre beyond it.
-      path.leave(*hit, wi, glm::dot(wi, surface) > 0 ? 0 : through);
+      path.leave(*hit, wi, glm::dot(wi, surface) > 0 ? 0 : through_radii);
       const float exit = cell.exit(toCloth + path.place().world, wi);
       const bool met = exit > 0 && path.transmittance(wi, exit, random, counts) == 0;
       const BvdfBin bin = BvdfBin::at(bvdfAngles(wiLocal, woLocal), resolution_);

@@ -140,7 +140,7 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
       way->collide({&pathRay, 1}, {&met, 1}, counts);
       if (!met) break;
       const glm::vec3 anywhere = onUnitSphere(random);
-      const float length_radii = static_cast<float>(random.below(3)) * traverse(*scene->cloth, *met);
+      const float length_radii = static_cast<float>(random.below(3)) * traverse_radii(*scene->cloth, *met);
       way->leave(0, *met, anywhere, length_radii);
       comparison.add(*way, event, anywhere, false);
       const glm::vec3 back = glm::normalize(0.3f * onUnitSphere(random) - direction);

@@ -133,7 +133,7 @@ TEST_F(RandomSlab, ScattersOnceToFirstOrderInItsDepth) {
         if (!hit || hit->distance_mm >= length) continue;
         const FibreFrame own(hit->tangent);
         const float value = bcsdf.evaluate(own.toLocal(-way.direction), own.toLocal(way.direction), hit->offset).sum();
-        path.leave(*hit, way.direction, traverse(*scene->cloth, *hit));
+        path.leave(*hit, way.direction, traverse_radii(*scene->cloth, *hit));
         const float rest = static_cast<float>(length) - hit->distance_mm;
         const float free = path.transmittance(way.direction, rest, random, counts);
         once += free;
