@@ -146,9 +146,6 @@ HWY_INLINE Mask operator<(Real a, Real b) {
 HWY_INLINE Mask operator<=(Real a, Real b) {
   return {hn::Le(a.in, b.in)};
 }
-HWY_INLINE Mask operator>(Real a, Real b) {
-  return b < a;
-}
 HWY_INLINE Real least(Real a, Real b) {
   return hn::Min(a.in, b.in);
 }
