@@ -43,6 +43,7 @@ def expect_whole_png(file):
 
 def stamp_of(file):
     """Another one when the file was replaced or written, be it with the same content."""
+    expect(os.path.exists(file), f"{file} is gone")
     status = os.stat(file)
     return status.st_ino, status.st_mtime_ns
 
@@ -220,6 +221,7 @@ def test():
             begin(editor, action, left, weave, chance, has_file)
             kill(editor)
             kept = action == "keep"
+            expect(os.path.exists(file), f"the file is gone after '{action}'")
             after = weave_of(file)  # which reads: it is whole
             may_be_saved = action == "save" and has_file
             expect(after == in_file or (may_be_saved and is_edited(after, weave)),

@@ -277,8 +277,12 @@ def window(width, height, samples=4):
 
 
 def read_json(file):
+    """A file that is none as a whole, such as a torn one, fails the test."""
     with open(file, encoding="utf-8") as text:
-        return json.load(text)
+        try:
+            return json.load(text)
+        except ValueError as error:  # of JSON, and of UTF-8
+            raise Failure(f"{file} is torn, or no JSON: {error}") from error
 
 
 def write_json(home, name, content):
