@@ -5,7 +5,7 @@ import os
 import subprocess
 import tempfile
 
-from window_driver import HANGS_S, Display, expect
+from window_driver import HANGS_S, Display, environment_of, expect
 
 PROGRAM = os.environ["LOOMLIGHT"]
 
@@ -14,11 +14,8 @@ def main():
     display = Display(1600, 1000)
     try:
         with tempfile.TemporaryDirectory(prefix="loomlight-ui-") as home:
-            environment = {**os.environ, "DISPLAY": display.name, "HOME": home, "LIBGL_ALWAYS_SOFTWARE": "1"}
-            for kind in ("DATA", "STATE", "CONFIG", "CACHE"):
-                environment[f"XDG_{kind}_HOME"] = os.path.join(home, kind.lower())
-            done = subprocess.run([PROGRAM, "bench", "ui", "--quick", "--json"], env=environment, timeout=HANGS_S,
-                                  stdout=subprocess.PIPE, text=True, check=True)
+            done = subprocess.run([PROGRAM, "bench", "ui", "--quick", "--json"], env=environment_of(display, home),
+                                  timeout=HANGS_S, stdout=subprocess.PIPE, text=True, check=True)
         told = json.loads(done.stdout)
         expect(told["frames"] >= 3 * 8, f"eight frames at least of each of three cloths, not {told['frames']}")
         for what in ("besides_drawing_ms", "panels_ms", "pixels_ms"):

@@ -5,7 +5,6 @@ What is judged is the processor time of the window's thread, beside what other j
 time: the same work on a cloth of a few crossings, and what reading and writing the large one takes a program of its own.
 """
 
-import json
 import os
 import resource
 import statistics
@@ -23,15 +22,7 @@ def cloth(home, name):
     side = SIDES[name]
     rows = ["".join("#" if (7 * end + 3 * pick + (pick * end >> 9)) % 8 < 3 else "." for end in range(side))
             for pick in range(0, side, 40)]
-    fabric = {
-        "loomlight_version": 1, "name": name, "weave": [rows[pick // 40] for pick in range(side)],
-        "fibres": [{"name": "coarse", "radius_um": 20}], "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 64, "elevation_deg": 75}, "render": {"resolution": 1},
-    }
-    file = os.path.join(home, name + ".json")
-    with open(file, "w", encoding="utf-8") as text:
-        json.dump(fabric, text, indent=1)
-    return file
+    return small_cloth(home, name, weave=[rows[pick // 40] for pick in range(side)])
 
 
 def read_and_written_ms(file):

@@ -5,7 +5,8 @@ and odd_files_test.cpp)."""
 import os
 import resource
 
-from window_driver import expect, read_json, run, window, write_json
+from small_cloth import small_cloth
+from window_driver import expect, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 900, 720
@@ -13,16 +14,6 @@ WIDTH, HEIGHT = 900, 720
 # The cloth needs more, and so do settings with a file of this name among the recent ones.
 FULL_AFTER = 50_000
 LONG_NAME = "/gone" * 12_000
-
-
-def long_fabric(home):
-    fabric = {
-        "loomlight_version": 1, "name": "Long", "description": "a long story " * 5_000, "weave": ["#.", ".#"],
-        "fibres": [{"name": "coarse", "radius_um": 20}],
-        "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 64, "elevation_deg": 75}, "render": {"resolution": 1},
-    }
-    return write_json(home, "long.json", fabric)
 
 
 def fill_disk(editor, full):
@@ -88,7 +79,7 @@ def test():
         editor.write_settings({"hints_seen": True, "viewport_samples": 1, "recent": [LONG_NAME]})
         folder = os.path.join(editor.home, "cloths")
         os.mkdir(folder)
-        file = long_fabric(folder)
+        file = small_cloth(folder, "Long", description="a long story " * 5_000)
         first_file_that_is_none(editor, folder)
         open_cloth(editor, file)
         full_disk(editor, file)

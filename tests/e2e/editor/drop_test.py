@@ -38,8 +38,7 @@ def test():
 def what_is_dropped_on_a_question_waits(editor):
     """An answer is for what it was asked about, never for the file that came meanwhile."""
     editor.click("draft.cell_0_0")
-    state = os.path.join(editor.home, "state", "loomlight")
-    editor.wait_until("a copy is kept", lambda: any(name.endswith(".json") for name in os.listdir(state)))
+    editor.wait_until("a copy is kept", lambda: any(name.endswith(".json") for name in os.listdir(editor.state)))
     editor.process.kill()
     editor.process.wait()
     editor.start(PROGRAM, [os.path.join(editor.home, "first.json")])
@@ -49,7 +48,7 @@ def what_is_dropped_on_a_question_waits(editor):
     editor.click("message.answer_1")  # throw away
     editor.wait_until("the dropped cloth is open", lambda: editor.fact("name") == "late")
     expect(os.path.exists(late), "the designer's own file was thrown away")
-    expect(not any(name.endswith(".json") for name in os.listdir(state)), "the copy is still there")
+    expect(not any(name.endswith(".json") for name in os.listdir(editor.state)), "the copy is still there")
 
 
 run(test)

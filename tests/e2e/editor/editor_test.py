@@ -121,11 +121,7 @@ def undo(editor):
 def leave(editor):
     editor.click("structure/Plain")
     editor.wait_until("a structure edits the fabric", lambda: editor.fact("dirty") == "yes")
-    editor.key("ctrl+q")
-    editor.wait_until("the editor asks about unsaved work", lambda: "message.answer_1" in editor.widgets())
-    editor.click_at(*editor.centre("message.answer_1"))
-    status = editor.wait_for_end()
-    expect(status == 0, f"the editor ended with status {status}\n{editor.log()}")
+    editor.leave()
 
 
 def test():

@@ -17,13 +17,6 @@ def small_fabric(home, name):
                        fibres=[{"name": "coarse", "radius_um": 20, "absorption_per_mm": [20, 6, 2]}])
 
 
-def leave(editor):
-    editor.key("ctrl+q")
-    if editor.fact("dirty") == "yes":
-        editor.click("message.answer_1")
-    expect(editor.wait_for_end() == 0, editor.log())
-
-
 def a_cloth_and_three_hints(editor):
     os.remove(editor.settings_file)
     editor.start(PROGRAM)
@@ -37,7 +30,7 @@ def a_cloth_and_three_hints(editor):
     editor.wait_until("turning is ticked off", lambda: editor.fact("hints.turned") == "done")
     editor.drag_widget("yarn.ply_twist_per_m", 40)
     editor.wait_until("all is done, and the card goes", lambda: "hints.close" not in editor.widgets())
-    leave(editor)
+    editor.leave()
 
 
 def never_again(editor):
@@ -50,7 +43,7 @@ def never_again(editor):
 def keep_a_view(editor):
     editor.key("k")
     editor.wait_until("the view is kept", lambda: "snapshot.item_0" in editor.widgets())
-    leave(editor)
+    editor.leave()
 
 
 def open_recent(editor, name):
@@ -81,7 +74,7 @@ def files_and_views_last(editor):
     editor.click("snapshot.item_0")
     editor.click("snapshot.remove")
     editor.wait_until("the view is removed", lambda: "snapshot.item_0" not in editor.widgets())
-    leave(editor)
+    editor.leave()
     editor.start(PROGRAM, [os.path.join(editor.home, "one.json")])
     editor.wait_for_picture()
     expect("snapshot.item_0" not in editor.widgets(), "a removed view is back")

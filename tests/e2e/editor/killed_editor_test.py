@@ -195,8 +195,6 @@ def test():
         file = small_cloth(editor.cloths, "Killed", weave=["#." * (SIDE // 2), ".#" * (SIDE // 2)] * (SIDE // 2),
                            render={"resolution": 1, "width": 64, "height": 48, "samples_per_pixel": 1},
                            description="a long story " * 5_000)
-        editor.state = os.path.join(editor.home, "state", "loomlight")
-        editor.data = os.path.join(editor.home, "data", "loomlight")
         os.makedirs(os.path.join(editor.data, "presets"))
         editor.picture = os.path.join(editor.home, "snapshot.png")
         with open(editor.picture, "w", encoding="utf-8") as old:  # which is replaced by the button, not by Return

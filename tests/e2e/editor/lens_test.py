@@ -151,11 +151,7 @@ def test():
         close_lens(editor)
         look_at_wide_cloth(editor)
         look_at_visibility(editor)
-        editor.key("ctrl+q")
-        editor.wait_until("the editor asks about unsaved work", lambda: "message.answer_1" in editor.widgets())
-        editor.click_at(*editor.centre("message.answer_1"))
-        status = editor.wait_for_end()
-        expect(status == 0, f"the editor ended with status {status}\n{editor.log()}")
+        editor.leave()
 
 
 run(test)

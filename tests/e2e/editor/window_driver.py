@@ -64,6 +64,13 @@ class Display:
         self.server.wait()
 
 
+def environment_of(display, home):
+    """Of a program on that display, at home there and nowhere else."""
+    kinds = ("data", "state", "config", "cache")
+    return {**os.environ, "DISPLAY": display.name, "LIBGL_ALWAYS_SOFTWARE": "1", "HOME": home,
+            **{f"XDG_{kind.upper()}_HOME": os.path.join(home, kind) for kind in kinds}}
+
+
 class Editor:
     """The program in a home of its own, and what it says of its widgets."""
 
@@ -78,12 +85,11 @@ class Editor:
         self.log_file = os.path.join(self.home, "log.txt")
         self.width, self.height = width, height
         self.settings_file = os.path.join(self.home, "config", "loomlight", "editor.json")
+        self.state = os.path.join(self.home, "state", "loomlight")  # of unsaved work
+        self.data = os.path.join(self.home, "data", "loomlight")  # of presets and kept views
         # Of somebody who has been here before, and whose pictures are soon at rest: the processors are for the tests.
         self.write_settings({"hints_seen": True, "viewport_samples": samples})
-        self.environment = {**os.environ, "DISPLAY": display.name, "HOME": self.home,
-                            "XDG_DATA_HOME": self.home + "/data", "XDG_STATE_HOME": self.home + "/state",
-                            "XDG_CONFIG_HOME": self.home + "/config", "XDG_CACHE_HOME": self.home + "/cache",
-                            "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.environment = environment_of(display, self.home)
 
     def start(self, program, arguments=()):
         if os.path.exists(self.dump_file):
@@ -247,6 +253,14 @@ class Editor:
             return self.process.wait(HANGS_S)
         except subprocess.TimeoutExpired as error:
             raise Failure("the editor does not end") from error
+
+    def leave(self):
+        """Without saving; it asks where something is not saved, and has to end well."""
+        self.key("ctrl+q")
+        if self.fact("dirty") == "yes":
+            self.click("message.answer_1")
+        status = self.wait_for_end()
+        expect(status == 0, f"the editor ended with status {status}\n{self.log()}")
 
     def saved(self, file):
         """The fabric that it saves in that file, where it has it from."""
