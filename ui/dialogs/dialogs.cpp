@@ -1,13 +1,13 @@
 #include "ui/dialogs/dialogs.h"
 
 #include <fmt/core.h>
-#include <imgui_stdlib.h>
 
 #include "ui/widgets/member_fields.h"
 #include "ui/widgets/modal.h"
 #include "ui/words/picture_words.h"
 
 namespace loomlight {
+
 void MessageDialog::show(std::string title, std::string text, std::vector<std::string> answers, int enter) {
   title_ = std::move(title);
   text_ = std::move(text);
@@ -46,35 +46,21 @@ std::optional<int> MessageDialog::draw(Ui& ui) {
   return answer;
 }
 
+SnapshotDialog::SnapshotDialog() : dialog_("snapshot", words::snapshot::title, "file", words::snapshot::file) {}
+
 void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
   settings_ = settings;
-  file_ = std::move(file);
-  open_ = opening_ = true;
+  dialog_.show(std::move(file));
 }
 
 SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const ClothInView& seen, const RenderJob& job) {
-  Result result;
-  if (!open_) return result;
-  if (!beginLastingModal(ui, words::snapshot::title, ImVec2(ui.px(480), 0), open_, opening_)) return result;
-  ImGui::BeginDisabled(job.running);
-  beginModalRows(ui, "snapshot.rows", renderJobHeight(ui));
-  bool changed = snapshotOptionRows(ui, options_, settings_, seen);
-  changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
-  textField(ui, {"snapshot.file", words::snapshot::file}, file_);
-  result.chooseFile = opening_ = chooseFileButton(ui, "snapshot", file_);  // it comes back when the browser has gone
-  endModalRows("snapshot.rows");
-  ImGui::EndDisabled();
-  if (changed) result.settings = settings_;
-
-  const RenderJobAnswer answer = renderJobRows(ui, "snapshot", job, file_);
-  result.start = answer.start;
-  result.cancel = answer.cancel;
-  if (answer.close) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
-  endModal();
-  return result;
+  std::optional<RenderSettings> edited;
+  const RenderDialog::Answer answer = dialog_.draw(ui, job, [&] {
+    bool changed = snapshotOptionRows(ui, options_, settings_, seen);
+    changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
+    if (changed) edited = settings_;
+  });
+  return {edited, answer.chooseFile, answer.start, answer.cancel};
 }
 
 }  // namespace loomlight

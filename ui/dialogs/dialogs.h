@@ -2,10 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/fabric/model/fabric.h"
-#include "ui/dialogs/render_job.h"
+#include "ui/dialogs/render_dialog.h"
 #include "ui/viewport/snapshot_options.h"
 #include "ui/widgets/ui.h"
 
@@ -36,19 +37,19 @@ class SnapshotDialog {
     bool start = false;
     bool cancel = false;
   };
+  SnapshotDialog();
   void show(const RenderSettings& settings, std::string file);
-  void setFile(std::string file) { file_ = std::move(file); }
-  const std::string& file() const { return file_; }
+  void setFile(std::string file) { dialog_.setFile(std::move(file)); }
+  const std::string& file() const { return dialog_.file(); }
   const SnapshotOptions& options() const { return options_; }
   void setOptions(SnapshotOptions options) { options_ = std::move(options); }
-  bool isOpen() const { return open_; }
+  bool isOpen() const { return dialog_.isOpen(); }
   Result draw(Ui& ui, const ClothInView& seen, const RenderJob& job);
 
  private:
-  bool open_ = false, opening_ = false;
+  RenderDialog dialog_;
   RenderSettings settings_;
   SnapshotOptions options_;
-  std::string file_;
 };
 
 }  // namespace loomlight

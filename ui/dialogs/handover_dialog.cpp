@@ -1,19 +1,18 @@
 #include "ui/dialogs/handover_dialog.h"
 
 #include "ui/widgets/fields.h"
-#include "ui/widgets/modal.h"
 #include "ui/words/dialog_words.h"
 
 namespace loomlight {
 
+HandoverDialog::HandoverDialog() : dialog_("handover", words::handover::title, "folder", words::handover::folder) {}
+
 void HandoverDialog::show(std::string folder) {
-  folder_ = std::move(folder);
   size_.reset();
-  open_ = opening_ = true;
+  dialog_.show(std::move(folder));
 }
 
-/// Returns whether a folder is to be chosen.
-bool HandoverDialog::rows(Ui& ui, const HandoverModel& model) {
+void HandoverDialog::rows(Ui& ui, const HandoverModel& model) {
   hint(ui, words::handover::about);
   size_.draw(ui, "handover", model.tile, model.fewestPixels);
   wholeNumberField(ui, {"handover.samples", words::tile::samples}, words::tile::perPixel, 1, 65536, samplesPerPixel_);
@@ -23,28 +22,11 @@ bool HandoverDialog::rows(Ui& ui, const HandoverModel& model) {
   ImGui::BeginDisabled(model.colourways == 0);
   switchField(ui, {"handover.colourways", words::handover::colourways}, allColourways_);
   ImGui::EndDisabled();
-  textField(ui, {"handover.folder", words::handover::folder}, folder_);
-  return chooseFileButton(ui, "handover", folder_);
 }
 
 HandoverDialog::Result HandoverDialog::draw(Ui& ui, const HandoverModel& model, const RenderJob& job) {
-  Result result;
-  if (!open_) return result;
-  if (!beginLastingModal(ui, words::handover::title, ImVec2(ui.px(480), 0), open_, opening_)) return result;
-  ImGui::BeginDisabled(job.running);
-  beginModalRows(ui, "handover.rows", renderJobHeight(ui));
-  result.chooseFolder = opening_ = rows(ui, model);  // it comes back when the browser has gone
-  endModalRows("handover.rows");
-  ImGui::EndDisabled();
-  const RenderJobAnswer answer = renderJobRows(ui, "handover", job, model.sidecar);
-  result.start = answer.start && model.tile.problem.empty();
-  result.cancel = answer.cancel;
-  if (answer.close) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
-  endModal();
-  return result;
+  const RenderDialog::Answer answer = dialog_.draw(ui, job, model.sidecar, [&] { rows(ui, model); });
+  return {answer.chooseFile, answer.start && model.tile.problem.empty(), answer.cancel};
 }
 
 }  // namespace loomlight

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
-#include "ui/dialogs/render_job.h"
+#include "ui/dialogs/render_dialog.h"
 #include "ui/dialogs/tile_size_rows.h"
 #include "ui/widgets/ui.h"
 
@@ -22,10 +23,11 @@ class HandoverDialog {
   struct Result {
     bool chooseFolder = false, start = false, cancel = false;
   };
+  HandoverDialog();
   void show(std::string folder);
-  bool isOpen() const { return open_; }
-  void setFolder(std::string folder) { folder_ = std::move(folder); }
-  const std::string& folder() const { return folder_; }
+  bool isOpen() const { return dialog_.isOpen(); }
+  void setFolder(std::string folder) { dialog_.setFile(std::move(folder)); }
+  const std::string& folder() const { return dialog_.file(); }
   int longestSide() const { return size_.longestSide(); }
   bool joinsTwist() const { return size_.joinsTwist(); }
   int samplesPerPixel() const { return samplesPerPixel_; }
@@ -34,10 +36,9 @@ class HandoverDialog {
   Result draw(Ui& ui, const HandoverModel& model, const RenderJob& job);
 
  private:
-  bool rows(Ui& ui, const HandoverModel& model);
+  void rows(Ui& ui, const HandoverModel& model);
 
-  bool open_ = false, opening_ = false;
-  std::string folder_;
+  RenderDialog dialog_;
   TileSizeRows size_;
   int samplesPerPixel_ = 32;    ///< for each of four pictures: either side, in light from either side
   int measuringSamples_ = 512;  ///< paths for each camera that the surface is fitted to

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
-#include "ui/dialogs/render_job.h"
+#include "ui/dialogs/render_dialog.h"
 #include "ui/dialogs/tile_size_rows.h"
 #include "ui/widgets/ui.h"
 
@@ -11,14 +12,13 @@ namespace loomlight {
 /// A seamless tile for other programs: its size, where it goes, then its progress.
 class TileDialog {
  public:
-  struct Result {
-    bool chooseFile = false, start = false, cancel = false;
-  };
+  using Result = RenderDialog::Answer;
+  TileDialog();
   void show(std::string file);
-  bool isOpen() const { return open_; }
-  void setFile(std::string file) { file_ = std::move(file); }
+  bool isOpen() const { return dialog_.isOpen(); }
+  void setFile(std::string file) { dialog_.setFile(std::move(file)); }
   /// The sidecar's name, which the maps are named after.
-  const std::string& file() const { return file_; }
+  const std::string& file() const { return dialog_.file(); }
   int longestSide() const { return size_.longestSide(); }
   bool joinsTwist() const { return size_.joinsTwist(); }
   int samplesPerPixel() const { return samplesPerPixel_; }
@@ -26,8 +26,7 @@ class TileDialog {
   Result draw(Ui& ui, const TileModel& model, double fewestPixels, const RenderJob& job);
 
  private:
-  bool open_ = false, opening_ = false;
-  std::string file_;
+  RenderDialog dialog_;
   TileSizeRows size_;
   int samplesPerPixel_ = 128;
 };

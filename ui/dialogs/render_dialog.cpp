@@ -1,4 +1,4 @@
-#include "ui/dialogs/render_job.h"
+#include "ui/dialogs/render_dialog.h"
 
 #include <fmt/core.h>
 
@@ -16,8 +16,7 @@ namespace {
 
 constexpr float kProgressHeight = 4;
 
-}  // namespace
-
+/// Below the row of the file, with its name: the path may go on beyond its field.
 bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file) {
   ImGui::Dummy(ImVec2(0, 0));
   ImGui::SameLine(std::floor(ImGui::GetContentRegionAvail().x * kLabelShare) + ui.px(16));
@@ -29,11 +28,18 @@ bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file
   return pressed;
 }
 
-float renderJobHeight(const Ui& ui) {
+/// Pixels of progress and outcome above the buttons.
+float progressHeight(const Ui& ui) {
   return ui.px(kProgressHeight) + ImGui::GetStyle().ItemSpacing.y + ImGui::GetTextLineHeightWithSpacing();
 }
 
-RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file) {
+struct ButtonsAnswer {
+  bool start = false, cancel = false, close = false;
+};
+
+/// The last rows of the dialog: progress or outcome; Cancel or Close, and Render where a file is named, or Replace
+/// where there is one already.
+ButtonsAnswer progressAndButtons(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file) {
   ImGui::ProgressBar(static_cast<float>(job.fraction), ImVec2(-1, ui.px(kProgressHeight)), "");
   std::error_code ignored;
   const bool replaces = !job.running && std::filesystem::exists(file, ignored);
@@ -45,7 +51,7 @@ RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob
   textLine(ui, (dialog + ".said").c_str(), said, job.failed ? ui.theme.error : ui.theme.textQuiet);
   ui.probe.fact(dialog + ".outcome", job.running ? "running" : job.outcome);
 
-  RenderJobAnswer answer;
+  ButtonsAnswer answer;
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   const bool done = !job.running && !job.outcome.empty() && !job.failed;
@@ -61,6 +67,37 @@ RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob
   // What is there goes by the button alone, which says so.
   answer.start |= canStart && !done && !replaces && modalConfirmed(ui);
   (job.running ? answer.cancel : answer.close) = dismiss;
+  return answer;
+}
+
+}  // namespace
+
+void RenderDialog::show(std::string file) {
+  file_ = std::move(file);
+  open_ = opening_ = true;
+}
+
+RenderDialog::Answer RenderDialog::draw(Ui& ui, const RenderJob& job, const std::string& replaced,
+                                        const std::function<void()>& rows) {
+  Answer answer;
+  if (!open_) return answer;
+  if (!beginLastingModal(ui, title_, ImVec2(ui.px(480), 0), open_, opening_)) return answer;
+  const std::string scrolled = id_ + ".rows";
+  ImGui::BeginDisabled(job.running);
+  beginModalRows(ui, scrolled.c_str(), progressHeight(ui));
+  rows();
+  textField(ui, {id_ + "." + field_, fileWord_}, file_);
+  answer.chooseFile = opening_ = chooseFileButton(ui, id_, file_);  // it comes back when the browser has gone
+  endModalRows(scrolled.c_str());
+  ImGui::EndDisabled();
+  const ButtonsAnswer pressed = progressAndButtons(ui, id_, job, replaced);
+  answer.start = pressed.start;
+  answer.cancel = pressed.cancel;
+  if (pressed.close) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
   return answer;
 }
 

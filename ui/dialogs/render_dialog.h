@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "core/fabric/model/glossary.h"
+#include "ui/dialogs/render_job.h"
+#include "ui/widgets/ui.h"
+
+namespace loomlight {
+
+/// A dialog in which something is rendered to a file: rows of its own, the row of that file, and progress.
+class RenderDialog {
+ public:
+  /// Widgets are named after `id`, the row of the file `id`.`field`; `file`: what that row says.
+  RenderDialog(const char* id, const char* title, const char* field, const Word& file)
+      : id_(id), title_(title), field_(field), fileWord_(file) {}
+  void show(std::string file);
+  bool isOpen() const { return open_; }
+  void setFile(std::string file) { file_ = std::move(file); }
+  const std::string& file() const { return file_; }
+
+  struct Answer {
+    bool chooseFile = false, start = false, cancel = false;
+  };
+  /// Draws it while it is open.
+  Answer draw(Ui& ui, const RenderJob& job, const std::function<void()>& rows) { return draw(ui, job, file_, rows); }
+  /// The same where another file than the one that is named says whether something is `replaced`: it is there already.
+  Answer draw(Ui& ui, const RenderJob& job, const std::string& replaced, const std::function<void()>& rows);
+
+ private:
+  bool open_ = false, opening_ = false;
+  std::string id_;
+  const char* title_;
+  const char* field_;
+  Word fileWord_;
+  std::string file_;
+};
+
+}  // namespace loomlight
