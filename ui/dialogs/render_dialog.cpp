@@ -28,9 +28,10 @@ bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file
   return pressed;
 }
 
-/// Pixels of progress and outcome above the buttons.
-float progressHeight(const Ui& ui) {
-  return ui.px(kProgressHeight) + ImGui::GetStyle().ItemSpacing.y + ImGui::GetTextLineHeightWithSpacing();
+/// Pixels between the rows that scroll and the buttons: the file's row and its button, progress and outcome.
+float heightBelowRows(const Ui& ui) {
+  const float progress = ui.px(kProgressHeight) + ImGui::GetStyle().ItemSpacing.y;
+  return 2 * ImGui::GetFrameHeightWithSpacing() + progress + ImGui::GetTextLineHeightWithSpacing();
 }
 
 struct ButtonsAnswer {
@@ -84,11 +85,11 @@ RenderDialog::Answer RenderDialog::draw(Ui& ui, const RenderJob& job, const std:
   if (!beginLastingModal(ui, title_, ImVec2(ui.px(480), 0), open_, opening_)) return answer;
   const std::string scrolled = id_ + ".rows";
   ImGui::BeginDisabled(job.running);
-  beginModalRows(ui, scrolled.c_str(), progressHeight(ui));
+  beginModalRows(ui, scrolled.c_str(), heightBelowRows(ui));
   rows();
+  endModalRows(scrolled.c_str());
   textField(ui, {id_ + "." + field_, fileWord_}, file_);
   answer.chooseFile = opening_ = chooseFileButton(ui, id_, file_);  // it comes back when the browser has gone
-  endModalRows(scrolled.c_str());
   ImGui::EndDisabled();
   const ButtonsAnswer pressed = progressAndButtons(ui, id_, job, replaced);
   answer.start = pressed.start;

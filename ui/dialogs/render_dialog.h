@@ -10,7 +10,8 @@
 
 namespace loomlight {
 
-/// A dialog in which something is rendered to a file: rows of its own, the row of that file, and progress.
+/// A dialog in which something is rendered to a file: rows of its own, the row of that file, and progress. In a low
+/// window its own rows scroll, and all that stands below them stays in sight.
 class RenderDialog {
  public:
   /// Widgets are named after `id`, the row of the file `id`.`field`; `file`: what that row says.

@@ -11,8 +11,9 @@
 namespace loomlight {
 namespace {
 
-constexpr float kEdge = 24;  // from the window's
-constexpr int kSettles = 3;  // frames until a dialog that is as high as its rows knows how high they are
+constexpr float kEdge = 24;        // from the window's
+constexpr float kLowestRows = 56;  // of those that scroll: a row, and that there are more of them
+constexpr int kSettles = 3;        // frames until a dialog that is as high as its rows knows how high they are
 
 }  // namespace
 
@@ -69,7 +70,8 @@ float roomAboveButtons(const Ui& ui) {
 }
 
 void beginModalRows(const Ui& ui, const char* id, float below) {
-  const float room = roomAboveButtons(ui) - below, known = ImGui::GetStateStorage()->GetFloat(ImGui::GetID(id), room);
+  const float room = std::max(ui.px(kLowestRows), roomAboveButtons(ui) - below);
+  const float known = ImGui::GetStateStorage()->GetFloat(ImGui::GetID(id), room);
   ImGui::BeginChild(id, ImVec2(0, std::min(known, room)));
 }
 
