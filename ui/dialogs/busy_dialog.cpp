@@ -59,10 +59,7 @@ bool BusyDialog::draw(Ui& ui, const std::optional<BusyWork>& work) {
       ui.probe.fact("busy", work_.text);
       ui.probe.fact("busy.done", done);
     }
-    if (!work) {
-      open_ = false;
-      ImGui::CloseCurrentPopup();
-    }
+    if (!work) closeModal(open_);
     endModal();
   }
   ImGui::PopStyleVar();

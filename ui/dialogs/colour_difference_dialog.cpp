@@ -107,7 +107,7 @@ void ColourDifferenceDialog::draw(Ui& ui, const ColourDifferenceModel& model, do
   textLine(ui, "difference.remark", remark, ui.theme.textQuiet);
   ui.probe.fact("difference.remark", remark);
   endModalRows("difference.rows");
-  if (closedBelow(ui, "difference.close")) open_ = false;
+  closeButtonBelow(ui, "difference.close", open_);
   endModal();
 }
 

@@ -122,14 +122,10 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
   ImGui::SameLine();
   if (button(ui, "colourways.print", words::colourways::print.label, width, true, words::colourways::print.help)) {
     printWanted_ = true;
-    open_ = false;
-    ImGui::CloseCurrentPopup();
+    closeModal(open_);
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
-  if (button(ui, "colourways.close", words::common::close, width) || modalCancelled(ui)) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (button(ui, "colourways.close", words::common::close, width) || modalCancelled(ui)) closeModal(open_);
   return edited;
 }
 

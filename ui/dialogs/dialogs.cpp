@@ -38,10 +38,7 @@ std::optional<int> MessageDialog::draw(Ui& ui) {
   }
   if (modalCancelled(ui)) answer = 0;
   if (modalConfirmed(ui)) answer = enter_;
-  if (answer) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (answer) closeModal(open_);
   endModal();
   return answer;
 }

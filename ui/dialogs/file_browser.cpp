@@ -263,10 +263,7 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
   decided |= modalConfirmed(ui);
   std::optional<std::string> file;
   if (!close && (decided || pressed)) file = decide(pressed);
-  if (file || close) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (file || close) closeModal(open_);
   endModal();
   return file;
 }

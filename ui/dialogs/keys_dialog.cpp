@@ -46,7 +46,7 @@ void KeysDialog::draw(Ui& ui) {
     ImGui::EndTable();
   }
   ImGui::EndChild();
-  if (closedBelow(ui, "keys.close")) open_ = false;
+  closeButtonBelow(ui, "keys.close", open_);
   endModal();
 }
 

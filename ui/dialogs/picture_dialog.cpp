@@ -238,10 +238,7 @@ std::optional<PictureOrder> PictureDialog::draw(Ui& ui, ImTextureID woven) {
   const bool weaves =
       mainButton(ui, "picture.weave", weaving_ ? words::picture::weaving : words::picture::weave, width, canWeave) ||
       (canWeave && modalConfirmed(ui));
-  if (cancelled || std::exchange(closing_, false)) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (cancelled || std::exchange(closing_, false)) closeModal(open_);
   endModal();
   if (!weaves) return std::nullopt;
   weaving_ = true;

@@ -93,7 +93,7 @@ bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values
   pieceSizeRows(ui, "preferences", values.units.piece);
   viewportRows(ui, facts, values);
   endModalRows("preferences.rows");
-  if (closedBelow(ui, "preferences.close")) open_ = false;
+  closeButtonBelow(ui, "preferences.close", open_);
   endModal();
   return chooses;
 }

@@ -118,10 +118,7 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
   if (button(ui, "presets.undo", words::menu::undo.label, width, !lastChange.empty(), lastChange.c_str()))
     edit.undo = true;
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
-  if (button(ui, "presets.close", words::common::close, width) || modalCancelled(ui) || edit.use) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (button(ui, "presets.close", words::common::close, width) || modalCancelled(ui) || edit.use) closeModal(open_);
 }
 
 PresetBrowserEdit PresetBrowser::draw(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,

@@ -94,10 +94,7 @@ RenderDialog::Answer RenderDialog::draw(Ui& ui, const RenderJob& job, const std:
   const ButtonsAnswer pressed = progressAndButtons(ui, id_, job, replaced);
   answer.start = pressed.start;
   answer.cancel = pressed.cancel;
-  if (pressed.close) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (pressed.close) closeModal(open_);
   endModal();
   return answer;
 }

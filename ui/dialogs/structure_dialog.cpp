@@ -146,10 +146,7 @@ std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<C
   ImGui::EndChild();
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  if (button(ui, "structures.close", words::common::close, width) || modalCancelled(ui)) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (button(ui, "structures.close", words::common::close, width) || modalCancelled(ui)) closeModal(open_);
   ImGui::SameLine();
   apply |=
       mainButton(ui, "structures.apply", words::structures::apply, width, made_.problem.empty()) || modalConfirmed(ui);

@@ -110,10 +110,8 @@ std::optional<WifChoices> WifDialog::draw(Ui& ui) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
   if (mainButton(ui, "wif.close", words::common::close, ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui) ||
-      closing_) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+      closing_)
+    closeModal(open_);
   endModal();
   return changed && !closing_ ? std::optional(choices_) : std::nullopt;
 }

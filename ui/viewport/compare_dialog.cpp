@@ -93,10 +93,7 @@ void CompareDialog::draw(Ui& ui, const Model& model) {
   ui.probe.record("compare.picture", min, max);
   const float width = ui.px(120);
   ImGui::SetCursorScreenPos(ImVec2(corner.x + room.x - width, bottom + ui.px(12)));
-  if (button(ui, "compare.close", words::common::close, width) || modalCancelled(ui)) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (button(ui, "compare.close", words::common::close, width) || modalCancelled(ui)) closeModal(open_);
   endModal();
 }
 

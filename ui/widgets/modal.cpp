@@ -90,12 +90,16 @@ bool modalConfirmed(const Ui& ui) {
   return enter && !ui.memory.keysAreTaken && !ImGui::GetIO().WantTextInput;
 }
 
-bool closedBelow(Ui& ui, const char* id) {
+void closeModal(bool& open) {
+  open = false;
+  ImGui::CloseCurrentPopup();
+}
+
+void closeButtonBelow(Ui& ui, const char* id, bool& open) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  const bool closed = button(ui, id, words::common::close, ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui);
-  if (closed) ImGui::CloseCurrentPopup();
-  return closed;
+  if (button(ui, id, words::common::close, ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui))
+    closeModal(open);
 }
 
 }  // namespace loomlight

@@ -24,7 +24,9 @@ void endModalRows(const char* id);
 bool modalCancelled(const Ui& ui);
 /// Enter, outside of a text or a list: the button that stands out.
 bool modalConfirmed(const Ui& ui);
-/// The last line of a dialog: its button, or Escape. True when it closes.
-bool closedBelow(Ui& ui, const char* id);
+/// Closes the dialog that is drawn. endModal() follows all the same.
+void closeModal(bool& open);
+/// The last line of a dialog that has nothing but its close button there; Escape and Enter close it too.
+void closeButtonBelow(Ui& ui, const char* id, bool& open);
 
 }  // namespace loomlight
