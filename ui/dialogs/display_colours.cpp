@@ -18,11 +18,9 @@ const std::string& nameOf(DisplayColours::Source source, const ProfileNames& nam
 }  // namespace
 
 bool displayColourRows(Ui& ui, const ProfileNames& names, DisplayColours& colours) {
-  int source = static_cast<int>(colours.source);
   const std::string about = fmt::format(words::preferences::profileHelp, nameOf(colours.source, names));
   segmentField(ui, {"preferences.display_profile", words::preferences::displayProfile, about.c_str()},
-               words::preferences::profileSources, source);
-  colours.source = static_cast<DisplayColours::Source>(source);
+               words::preferences::profileSources, colours.source);
   const std::string aboutFiles = fmt::format(words::preferences::chooseProfileHelp,
                                              names.printer.empty() ? words::preferences::noPrinter : names.printer);
   return button(ui, "preferences.choose_profile", words::preferences::chooseProfile, 0, true, aboutFiles.c_str());

@@ -96,11 +96,9 @@ void PictureDialog::drawColours(float size) const {
 }
 
 void PictureDialog::drawPreview(Ui& ui, ImTextureID woven, float size) {
-  int chosen = showsColours_ ? 1 : 0;
   ImGui::BeginGroup();
   ImGui::BeginChild("picture.what", ImVec2(size, ImGui::GetFrameHeight()));
-  if (segmentField(ui, {"picture.shown", "", words::picture::shownHelp, true}, words::picture::shownAs, chosen))
-    showsColours_ = chosen == 1;
+  segmentField(ui, {"picture.shown", "", words::picture::shownHelp, true}, words::picture::shownAs, showsColours_);
   ImGui::EndChild();
   if (showsColours_) {
     drawColours(size);

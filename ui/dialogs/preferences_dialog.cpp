@@ -86,9 +86,8 @@ bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values
   heading(ui, words::preferences::units);
   countSystemRow(ui, "preferences", values.units.count);
   twistUnitRow(ui, "preferences", values.units.twistAsMultiplier);
-  int length = values.draft.inches ? 1 : 0;
-  segmentField(ui, {"preferences.lengths", words::preferences::lengths}, words::preferences::lengthUnits, length);
-  values.draft.inches = length == 1;
+  segmentField(ui, {"preferences.lengths", words::preferences::lengths}, words::preferences::lengthUnits,
+               values.draft.inches);
   heading(ui, words::preferences::usualPiece);
   pieceSizeRows(ui, "preferences", values.units.piece);
   viewportRows(ui, facts, values);

@@ -33,11 +33,9 @@ bool matchesSearch(const std::string& text, const std::string& search) {
 }
 
 void PresetBrowser::head(Ui& ui) {
-  int kind = static_cast<int>(kind_);
   ImGui::BeginChild("kind", ImVec2(ui.px(400), ImGui::GetFrameHeight()));
-  if (segmentField(ui, {"presets.kind", words::presets::kind, true}, words::presets::kinds, kind)) chosen_.reset();
+  if (segmentField(ui, {"presets.kind", words::presets::kind, true}, words::presets::kinds, kind_)) chosen_.reset();
   ImGui::EndChild();
-  kind_ = static_cast<PresetKind>(kind);
   ImGui::SameLine(0, ui.px(24));
   textField(ui, {"presets.search", words::presets::search, true}, search_);
 }

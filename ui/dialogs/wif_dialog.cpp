@@ -63,9 +63,7 @@ void warningRows(Ui& ui, const std::vector<WifWarning>& warnings) {
 
 /// Whether what the file only counts stays; true where that changes.
 bool threadsField(Ui& ui, const std::string& cut, WifThreadChoice& threads) {
-  int chosen = static_cast<int>(threads);
-  const bool changed = segmentField(ui, {"wif.threads", words::wif::threads}, words::wif::threadChoices, chosen);
-  threads = static_cast<WifThreadChoice>(chosen);
+  const bool changed = segmentField(ui, {"wif.threads", words::wif::threads}, words::wif::threadChoices, threads);
   hint(ui, cut);
   return changed;
 }
@@ -91,11 +89,7 @@ std::optional<WifChoices> WifDialog::draw(Ui& ui) {
   ImGui::PopTextWrapPos();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   if (says(content_.file)) {
-    int chosen = static_cast<int>(choices_.sizes);
-    if (segmentField(ui, {"wif.sizes", words::wif::sizes}, words::wif::sizeChoices, chosen)) {
-      choices_.sizes = static_cast<WifSizeChoice>(chosen);
-      changed = true;
-    }
+    changed = segmentField(ui, {"wif.sizes", words::wif::sizes}, words::wif::sizeChoices, choices_.sizes);
     sizeRows(ui, content_, choices_.sizes);
     // Laid out even when it does not count, so that the dialog keeps its size.
     ImVec4 ink = ui.theme.warning;

@@ -58,9 +58,7 @@ std::optional<std::vector<int>> orderButtons(Ui& ui, const std::vector<int>& own
 
 std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
                                        const std::vector<std::string>& yarnNames, ColourOrderView& view) {
-  int system = view.weft ? 1 : 0;
-  segmentField(ui, {"order.system", words::stripe::of}, words::panels::systems, system);
-  view.weft = system == 1;
+  segmentField(ui, {"order.system", words::stripe::of}, words::panels::systems, view.weft);
   const std::vector<int>& own = view.weft ? fabric.weftSequence : fabric.warpSequence;
   const std::vector<int>& other = view.weft ? fabric.warpSequence : fabric.weftSequence;
   const StripedSystem striped{yarnColours, yarnNames, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm(),

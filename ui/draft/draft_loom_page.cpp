@@ -81,9 +81,7 @@ void preferenceRows(Ui& ui, DraftPreferences& preferences, DraftView& view) {
     view.origin = ImVec2(0, 0);
   }
   switchField(ui, {"draft.rulers", words::loomPage::rulers}, preferences.rulers);
-  int unit = preferences.inches ? 1 : 0;
-  if (segmentField(ui, {"draft.unit", words::loomPage::lengthsIn}, words::loomPage::lengthUnits, unit))
-    preferences.inches = unit == 1;
+  segmentField(ui, {"draft.unit", words::loomPage::lengthsIn}, words::loomPage::lengthUnits, preferences.inches);
 }
 
 }  // namespace

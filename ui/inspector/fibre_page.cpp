@@ -120,9 +120,7 @@ void blendRow(Ui& ui, const Yarn& yarn, InspectorView& view) {
     view.secondFibre = false;
     return;
   }
-  int chosen = view.secondFibre ? 1 : 0;
-  segmentField(ui, {"fibre.of_blend", words::fibrePage::ofBlend}, words::fibrePage::fibresOfBlend, chosen);
-  view.secondFibre = chosen == 1;
+  segmentField(ui, {"fibre.of_blend", words::fibrePage::ofBlend}, words::fibrePage::fibresOfBlend, view.secondFibre);
 }
 
 /// The same as the radius, as fibres are traded.

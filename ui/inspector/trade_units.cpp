@@ -24,9 +24,7 @@ void countSystemRow(Ui& ui, const std::string& prefix, CountSystem& system) {
 }
 
 void twistUnitRow(Ui& ui, const std::string& prefix, bool& asMultiplier) {
-  int unit = asMultiplier ? 1 : 0;
-  segmentField(ui, {prefix + ".twist_unit", words::trade::twistIn}, words::trade::twistUnits, unit);
-  asMultiplier = unit == 1;
+  segmentField(ui, {prefix + ".twist_unit", words::trade::twistIn}, words::trade::twistUnits, asMultiplier);
 }
 
 void pieceSizeRows(Ui& ui, const std::string& prefix, PieceSize& piece) {

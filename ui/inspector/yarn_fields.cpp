@@ -146,10 +146,7 @@ bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
     changed |= twistRow(ui, label, units.twistAsMultiplier, strand_tex, twist, yarn);
     RowText wayText = rowText("yarn", way);
     if (isOnly) wayText.label = words::twistWay.label;
-    int chosen = static_cast<int>(yarn.*way);
-    if (!segmentField(ui, wayText, twistNames(), chosen)) return;
-    yarn.*way = static_cast<TwistDirection>(chosen);
-    changed = true;
+    changed |= segmentField(ui, wayText, twistNames(), yarn.*way);
   };
   level(tex / singlesIn(yarn), &Yarn::plyTwist_per_m, &Yarn::plyTwistDirection);
   if (yarn.plies > 1) level(tex / yarn.cords, &Yarn::yarnTwist_per_m, &Yarn::yarnTwistDirection);

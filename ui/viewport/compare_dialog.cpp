@@ -65,11 +65,9 @@ void CompareDialog::draw(Ui& ui, const Model& model) {
   if (!open_) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   if (!beginModal(ui, words::views::compare.label, ImVec2(0.9f * screen.x, 0.9f * screen.y), open_, opening_)) return;
-  int way = static_cast<int>(way_);
   ImGui::BeginChild("way", ImVec2(ui.px(460), ImGui::GetFrameHeight()));
-  segmentField(ui, {"compare.way", words::views::way, true}, words::views::ways, way);
+  segmentField(ui, {"compare.way", words::views::way, true}, words::views::ways, way_);
   ImGui::EndChild();
-  way_ = static_cast<Way>(way);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   ImVec2 min(corner.x, corner.y + ImGui::GetTextLineHeightWithSpacing());
   ImVec2 max(corner.x + room.x, corner.y + room.y - ImGui::GetFrameHeight() - ui.px(12));

@@ -63,9 +63,7 @@ bool pixelRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
 void clothRows(Ui& ui, SnapshotOptions& options, const RenderSettings& settings, const ClothInView& seen) {
   if (!seen.piece_mm && options.scale == SnapshotScale::wholePiece) options.scale = SnapshotScale::asSeen;
   const std::span<const char* const> scales = words::snapshot::scales;
-  int scale = static_cast<int>(options.scale);
-  segmentField(ui, {"snapshot.scale", words::snapshot::scale}, scales.first(seen.piece_mm ? 3 : 2), scale);
-  options.scale = static_cast<SnapshotScale>(scale);
+  segmentField(ui, {"snapshot.scale", words::snapshot::scale}, scales.first(seen.piece_mm ? 3 : 2), options.scale);
   const double paper_mm = settings.height / options.dpi * kMmPerInch;
   const double height_mm = options.scale == SnapshotScale::actualSize   ? paper_mm
                            : options.scale == SnapshotScale::wholePiece ? seen.piece_mm->y
@@ -93,12 +91,12 @@ int pixelsOfPrint(double length_mm, double dpi) {
 }
 
 bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings, const ClothInView& seen) {
-  int unit = options.inMillimetres ? 1 : 0;
-  if (segmentField(ui, {"snapshot.size_in", words::snapshot::sizeIn}, words::snapshot::sizeUnits, unit) && unit == 1) {
+  const bool isOther = segmentField(ui, {"snapshot.size_in", words::snapshot::sizeIn}, words::snapshot::sizeUnits,
+                                    options.inMillimetres);
+  if (isOther && options.inMillimetres) {
     options.width_mm = settings.width / options.dpi * kMmPerInch;
     options.height_mm = settings.height / options.dpi * kMmPerInch;
   }
-  options.inMillimetres = unit == 1;
   bool changed = options.inMillimetres ? printRows(ui, options, settings) : pixelRows(ui, options, settings);
   clothRows(ui, options, settings, seen);
   if (options.scale == SnapshotScale::wholePiece) changed |= inProportion(options, settings, *seen.piece_mm);

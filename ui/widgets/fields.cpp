@@ -223,11 +223,15 @@ bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> name
   return changed;
 }
 
+bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, bool& second) {
+  int chosen = second ? 1 : 0;
+  const bool changed = segmentField(ui, text, names, chosen);
+  second = chosen == 1;
+  return changed;
+}
+
 bool switchField(Ui& ui, const RowText& text, bool& value) {
-  int chosen = value ? 1 : 0;
-  if (!segmentField(ui, text, words::fields::offOn, chosen)) return false;
-  value = chosen == 1;
-  return true;
+  return segmentField(ui, text, words::fields::offOn, value);
 }
 
 namespace {

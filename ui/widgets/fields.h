@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,17 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
 bool listLine(Ui& ui, const std::string& id, const char* name, bool chosen, const char* tooltip = "");
 /// One of two to five short names, side by side.
 bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen);
+/// The same for an enumeration, whose names are in the order of its enumerators.
+template <class Enum>
+  requires std::is_enum_v<Enum>
+bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, Enum& chosen) {
+  int index = static_cast<int>(chosen);
+  const bool changed = segmentField(ui, text, names, index);
+  chosen = static_cast<Enum>(index);
+  return changed;
+}
+/// The same for one of two names: `second`, or else the first.
+bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, bool& second);
 bool switchField(Ui& ui, const RowText& text, bool& value);
 /// `whenEmpty`: what stands there, quietly, while there is no text.
 bool textField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty = "");
