@@ -38,26 +38,18 @@ bool dentingField(Ui& ui, std::vector<int>& endsPerDent) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 max(corner.x + ImGui::GetContentRegionAvail().x, corner.y + ImGui::GetFrameHeight());
   const ImGuiID id = ImGui::GetID(text.id.c_str());
-  FieldMemory& memory = ui.memory;
   std::string typed = dentingText(endsPerDent);
   bool changed = false;
   if (textField(ui, text, typed)) {
-    if (memory.failed == id) memory.failed = 0;
+    if (ui.memory.failed == id) ui.memory.failed = 0;
     if (const auto dents = dentingFromText(typed)) {
       changed = *dents != endsPerDent;
       endsPerDent = *dents;
     } else {
-      memory.failed = id;
-      memory.failedAt = ui.time;
-      memory.failure = fmt::format(words::mill::dentingExpected, MillData::kMostInDent);
+      refuseText(ui, id, fmt::format(words::mill::dentingExpected, MillData::kMostInDent));
     }
   }
-  constexpr double kShown_s = 6;
-  if (memory.failed == id && ui.time - memory.failedAt > kShown_s) memory.failed = 0;
-  if (memory.failed == id) {
-    ui.wakeWithin(0.5);
-    problemBelow(ui, ImVec2(corner.x + std::floor(kLabelShare * (max.x - corner.x)), corner.y), max, memory.failure);
-  }
+  showRefusal(ui, id, ImVec2(corner.x + std::floor(kLabelShare * (max.x - corner.x)), corner.y), max);
   return changed;
 }
 

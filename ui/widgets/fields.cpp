@@ -34,7 +34,22 @@ Rgb toLinearColour(const ImVec4& display) {
   return linearFromSrgb(Rgb(display.x, display.y, display.z));
 }
 
-void problemBelow(Ui& ui, ImVec2 min, ImVec2 max, const std::string& problem) {
+void refuseText(Ui& ui, ImGuiID field, std::string problem) {
+  ui.memory.failed = field;
+  ui.memory.failedAt = ui.time;
+  ui.memory.failure = std::move(problem);
+}
+
+void showRefusal(Ui& ui, ImGuiID field, ImVec2 min, ImVec2 max) {
+  constexpr double kShown_s = 6;
+  FieldMemory& memory = ui.memory;
+  if (memory.failed != field) return;
+  if (ui.time - memory.failedAt > kShown_s || memory.typing == field || memory.scrubbing == field) {
+    memory.failed = 0;
+    return;
+  }
+  ui.wakeWithin(0.5);
+  const std::string& problem = memory.failure;
   ImGui::GetWindowDrawList()->AddRect(min, max, packed(ui.theme.error), ImGui::GetStyle().FrameRounding);
   ImDrawList& over = *ImGui::GetForegroundDrawList();
   const ImVec2 size = ImGui::CalcTextSize(problem.c_str());

@@ -107,8 +107,10 @@ void textLine(Ui& ui, const char* id, const std::string& text, const ImVec4& col
 /// Shows `text` when the mouse has rested on the rectangle for a moment; not while it is pressed, nor after a click.
 void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text);
 
-/// Says below a field what is wrong with its text, over whatever is there.
-void problemBelow(Ui& ui, ImVec2 min, ImVec2 max, const std::string& problem);
+/// The text of a field is none that it takes: what is wrong with it is said for a few seconds.
+void refuseText(Ui& ui, ImGuiID field, std::string problem);
+/// Says it below the field, over whatever is there; no more once the field is typed into or dragged again.
+void showRefusal(Ui& ui, ImGuiID field, ImVec2 min, ImVec2 max);
 
 /// `text`, or as much of it as fits into the width and an ellipsis.
 std::string shortened(const std::string& text, float width);

@@ -15,7 +15,6 @@ namespace loomlight {
 namespace {
 
 constexpr float kDragThreshold = 3.0f;
-constexpr double kFailureSeconds = 6.0;
 
 double roundTo(double value, int decimals) {
   const double unit = std::pow(10.0, decimals);
@@ -142,9 +141,7 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
     return changed;
   }
   memory.tabOrder.stay();
-  memory.failed = id;
-  memory.failedAt = ui.time;
-  memory.failure = objectionTo(memory.text, style);
+  refuseText(ui, id, objectionTo(memory.text, style));
   return false;
 }
 
@@ -166,16 +163,6 @@ void arriveByKeys(Ui& ui, const NumberStyle& style, double value, ImGuiID id, co
   const ImRect& seen = ImGui::GetCurrentWindow()->InnerClipRect;
   if (box.Min.y < seen.Min.y || box.Max.y > seen.Max.y)
     ImGui::SetScrollFromPosY(box.Min.y - ImGui::GetWindowPos().y, 0.5f);
-}
-
-void showFailure(Ui& ui, ImGuiID id, const ImRect& box) {
-  if (ui.memory.failed != id) return;
-  if (ui.time - ui.memory.failedAt > kFailureSeconds || ui.memory.typing == id || ui.memory.scrubbing == id) {
-    ui.memory.failed = 0;
-    return;
-  }
-  ui.wakeWithin(0.5);
-  problemBelow(ui, box.Min, box.Max, ui.memory.failure);
 }
 
 bool scrubValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id) {
@@ -234,7 +221,7 @@ bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& 
     if (ui.memory.tabOrder.isSeenOn(id))
       ImGui::GetWindowDrawList()->AddRect(box.Min, box.Max, packed(ui.theme.accent), ImGui::GetStyle().FrameRounding);
   }
-  showFailure(ui, id, box);
+  showRefusal(ui, id, box.Min, box.Max);
   ImGui::PopID();
   endRow(ui, text, box.Min, box.Max, row.cut);
   return changed;
