@@ -11,6 +11,7 @@
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
 #include "ui/words/booth_words.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 namespace {
@@ -49,7 +50,7 @@ void cell(Ui& ui, const std::string& id, const std::string& text) {
 
 void lampRow(Ui& ui, StandardIlluminant lamp, const ColourDifferenceModel::UnderLamp* under, double tolerance_cmc) {
   const std::string id = "difference." + lampWord(lamp);
-  const auto known = [&](const auto& text) { return under ? text() : std::string(said::unknown); };
+  const auto known = [&](const auto& text) { return under ? text() : std::string(words::panels::none); };
   cell(ui, id, lampLabel(lamp));
   ImGui::TableNextColumn();
   chips(ui, under);

@@ -8,6 +8,7 @@
 #include "ui/widgets/modal.h"
 #include "ui/words/dialog_words.h"
 #include "ui/words/menu_words.h"
+#include "ui/words/trade_words.h"
 
 namespace loomlight {
 
@@ -86,8 +87,7 @@ bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values
   heading(ui, words::preferences::units);
   countSystemRow(ui, "preferences", values.units.count);
   twistUnitRow(ui, "preferences", values.units.twistAsMultiplier);
-  segmentField(ui, {"preferences.lengths", words::preferences::lengths}, words::preferences::lengthUnits,
-               values.draft.inches);
+  segmentField(ui, {"preferences.lengths", words::trade::lengthsIn}, words::trade::lengthUnits, values.draft.inches);
   heading(ui, words::preferences::usualPiece);
   pieceSizeRows(ui, "preferences", values.units.piece);
   viewportRows(ui, facts, values);

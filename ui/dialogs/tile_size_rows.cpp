@@ -4,6 +4,7 @@
 
 #include "ui/widgets/fields.h"
 #include "ui/words/dialog_words.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 namespace {
@@ -20,7 +21,7 @@ void TileSizeRows::draw(Ui& ui, const std::string& dialog, const TileModel& mode
   joinsTwist_ = ownTwist_.value_or(!model.joined || !model.plain || !isFarLarger(*model.joined, *model.plain));
   if (switchField(ui, {dialog + ".twist", words::tile::twist}, joinsTwist_)) ownTwist_ = joinsTwist_;
   const std::optional<TileSize>& size = joinsTwist_ ? model.joined : model.plain;
-  const auto known = [&](const std::string& text) { return size ? text : std::string("\xE2\x80\x93"); };
+  const auto known = [&](const std::string& text) { return size ? text : std::string(words::panels::none); };
   const TileSize s = size.value_or(TileSize{});
   readout(ui, {dialog + ".threads", words::tile::threads}, known(fmt::format("{} \xC3\x97 {}", s.ends, s.picks)));
   readout(ui, {dialog + ".repeats", words::tile::repeats},

@@ -9,12 +9,13 @@
 #include "ui/widgets/modal.h"
 #include "ui/words/common_words.h"
 #include "ui/words/dialog_words.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 namespace {
 
 std::string shown(const std::optional<double>& value, const char* unit, int decimals) {
-  return value ? fmt::format("{:.{}f} {}", *value, decimals, unit) : std::string("\xE2\x80\x93");
+  return value ? fmt::format("{:.{}f} {}", *value, decimals, unit) : std::string(words::panels::none);
 }
 
 /// The sizes between which is chosen, each below its name in the row above.

@@ -4,6 +4,7 @@
 #include "ui/widgets/fields.h"
 #include "ui/words/draft_words.h"
 #include "ui/words/panel_words.h"
+#include "ui/words/trade_words.h"
 
 namespace loomlight {
 namespace {
@@ -81,7 +82,7 @@ void preferenceRows(Ui& ui, DraftPreferences& preferences, DraftView& view) {
     view.origin = ImVec2(0, 0);
   }
   switchField(ui, {"draft.rulers", words::loomPage::rulers}, preferences.rulers);
-  segmentField(ui, {"draft.unit", words::loomPage::lengthsIn}, words::loomPage::lengthUnits, preferences.inches);
+  segmentField(ui, {"draft.unit", words::trade::lengthsIn}, words::trade::lengthUnits, preferences.inches);
 }
 
 }  // namespace

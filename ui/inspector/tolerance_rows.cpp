@@ -4,6 +4,7 @@
 
 #include "ui/widgets/choices.h"
 #include "ui/words/booth_words.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 namespace {
@@ -18,7 +19,7 @@ void verdictRow(Ui& ui, const char* id, const std::string& label, const Word& wo
                 double tolerance_cmc) {
   const std::string help = helpOf(word, judged, error);
   readout(ui, {id, label.c_str(), help.c_str()},
-          judged ? verdictText(judged->cmc, tolerance_cmc) : words::booth::unknown);
+          judged ? verdictText(judged->cmc, tolerance_cmc) : words::panels::none);
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ void toleranceRows(Ui& ui, const ClothColourModel& model, double& tolerance_cmc)
   verdictRow(ui, "fibre.verdict_worst", worst, said::worst, model.worst, model.error, tolerance_cmc);
   ui.probe.fact("fibre.verdict_worst_lamp", model.worst ? lampWord(model.worst->lamp) : "");
   readout(ui, {"fibre.metamerism", said::metamerism.label, said::metamerism.help},
-          model.worst ? fmt::format("{:.2f}", model.worst->metamerism) : said::unknown);
+          model.worst ? fmt::format("{:.2f}", model.worst->metamerism) : words::panels::none);
 }
 
 }  // namespace loomlight

@@ -2,7 +2,7 @@
 
 #include "core/fabric/model/glossary.h"
 
-/// What is said where a cloth is judged by the lamps of a light booth. Words with braces are filled in.
+/// What is said where a cloth is judged by the lamps of a light booth.
 namespace loomlight::words::booth {
 
 inline constexpr Word tolerance{
@@ -44,6 +44,5 @@ inline constexpr const char* verdict = "{:.2f}  {}";  // CMC(2:1), and what foll
 inline constexpr const char* passes = "pass";
 inline constexpr const char* fails = "FAIL";
 inline constexpr const char* figures = " CMC(2:1) {:.2f}, CIEDE2000 {:.2f}, known to \xC2\xB1 {:.2f}.";
-inline constexpr const char* unknown = "\xE2\x80\x93";
 
 }  // namespace loomlight::words::booth

@@ -30,8 +30,6 @@ inline constexpr Word ruler{
     "A ruler reads",
     "Hold a ruler to the bar above and type what it reads: from then on 1 : 1 is 1 : 1 on this display."};
 inline constexpr const char* units = "Units";
-inline constexpr Word lengths{"Lengths in", "Of rulers, setts and repeats."};
-inline constexpr const char* lengthUnits[] = {"cm", "inch"};
 inline constexpr const char* usualPiece = "The usual piece";
 inline constexpr const char* viewport = "Picture of the cloth";
 inline constexpr const char *sample = "sample", *samples = "samples";

@@ -84,8 +84,6 @@ inline constexpr const char* forAllDrafts = "For all drafts";
 inline constexpr Word firstThread{"First thread", "The corner of the drawdown where end 1 and pick 1 are."};
 inline constexpr const char* corners[] = {"Bottom left", "Bottom right", "Top left", "Top right"};
 inline constexpr Word rulers{"Rulers", "Lengths along the drawdown, at the fabric's sett."};
-inline constexpr Word lengthsIn{"Lengths in", "Of rulers, setts and repeats."};
-inline constexpr const char* lengthUnits[] = {"cm", "inch"};
 
 }  // namespace loomPage
 }  // namespace loomlight::words

@@ -102,7 +102,7 @@ inline constexpr MenuWord fromPicture{"From a picture\xE2\x80\xA6"};
 inline constexpr MenuWord backOfCloth{words::backOfCloth.label};
 inline constexpr MenuWord checkFloats{words::checkFloats.label};
 inline constexpr MenuWord exportWif{"WIF draft\xE2\x80\xA6", ".wif"};
-inline constexpr MenuWord exportBitmap{"Weave bitmap\xE2\x80\xA6", ".png, .tif"};
+inline constexpr MenuWord exportBitmap{"Weave bitmap\xE2\x80\xA6", ".png .tif"};
 inline constexpr MenuWord exportDraft{"Printed draft\xE2\x80\xA6", ".pdf .png"};
 inline constexpr MenuWord exportTile{"Texture tile\xE2\x80\xA6", "Ctrl+E"};
 

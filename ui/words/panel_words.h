@@ -2,7 +2,7 @@
 
 #include "core/fabric/model/glossary.h"
 
-/// What the pages beside the cloth say alike. In files of this folder a text with {} is one that fmt::format fills in.
+/// What pages and dialogs say alike.
 namespace loomlight::words::panels {
 
 inline constexpr const char* inspectorTabs[] = {words::yarnName.label, words::fibreName.label, "Cloth", "Scene"};

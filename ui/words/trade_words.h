@@ -17,6 +17,9 @@ inline constexpr Word twistIn{"Twist in",
                               "the cotton count. Warp yarns have 3.8 to 4.5, soft knitting yarns 3.2 to 3.8."};
 inline constexpr const char* twistUnits[] = {"turns/m", "TM"};
 
+inline constexpr Word lengthsIn{"Lengths in", "Of rulers, setts and repeats."};
+inline constexpr const char* lengthUnits[] = {"cm", "inch"};
+
 inline constexpr Word pieceLength{"Length", "Of the piece, along the warp"};
 inline constexpr Word pieceWidth{"Width", "Of the piece, along the weft"};
 

@@ -133,9 +133,6 @@ inline constexpr Word fibreLayout{
     "Fibre layout", "How fibres lie in the section: at random, overlaps allowed, or side by side without overlap."};
 
 // Draft and loom
-inline constexpr Word threading{"Threading"};
-inline constexpr Word tieUp{"Tie-up"};
-inline constexpr Word treadling{"Treadling"};
 inline constexpr Word liftplan{"Liftplan"};
 inline constexpr Word shafts{"Shafts", "Frames that lift the ends threaded on them. Fewer leave ends on none."};
 inline constexpr Word treadles{"Treadles", "Pedals that move the shafts tied to them."};
