@@ -33,9 +33,9 @@ struct FieldTable<Fibre> {
       Field{&Fibre::absorption_per_mm,
             {colour, "absorption_per_mm", words::depthOfShade.label, "/mm", 0, 10000, words::depthOfShade.help, true}},
       Field{&Fibre::longitudinalRoughness,
-            {optics, "longitudinal_roughness", words::lustreAlong.label, "", 0.05, 1, words::lustreAlong.help}},
+            {optics, "longitudinal_roughness", words::dullnessAlong.label, "", 0.05, 1, words::dullnessAlong.help}},
       Field{&Fibre::azimuthalRoughness,
-            {optics, "azimuthal_roughness", words::lustreAround.label, "", 0.05, 1, words::lustreAround.help}},
+            {optics, "azimuthal_roughness", words::dullnessAround.label, "", 0.05, 1, words::dullnessAround.help}},
       Field{&Fibre::scaleTilt_deg,
             {optics, "scale_tilt_deg", words::scaleTilt.label, "°", -10, 10, words::scaleTilt.help}},
       Field{&Fibre::section, {optics, "section", words::fibreSection.label, "", 0, 0, words::fibreSection.help}});
@@ -55,6 +55,7 @@ struct FieldTable<Yarn> {
       Field{&Yarn::fibresPerPly,
             {shape, "fibres_per_ply", words::fibresInSingle.label, "", 1, 2000, words::fibresInSingle.help, true}},
       Field{&Yarn::plies, {shape, "plies", words::plies.label, "", 1, 8, words::plies.help}},
+      // What keys of files call a ply is the trade's single: ply twist is singles twist, and yarn twist is ply twist.
       Field{&Yarn::plyTwist_per_m,
             {shape, "ply_twist_per_m", words::singlesTwist.label, "turns/m", 0, 5000, words::singlesTwist.help}},
       Field{&Yarn::plyTwistDirection,

@@ -23,7 +23,8 @@ double feltingOf(const Yarn& yarn, const Fabric& fabric);
 /// milling lays up to three quarters of it. Cloth is brushed along the warp, towards the higher picks.
 HairLie hairLieOf(const Fabric& fabric, System system);
 /// The fibre as the finish leaves it. Mercerising swells cotton, whose section is a kidney, until it is round and
-/// smooth; it does nothing to a fibre of another section. Neither fineness nor dye change.
+/// smooth; it does nothing to a fibre of another section. Acrylic has that section too, and is swollen with it, which
+/// lye would not do. Neither fineness nor dye change.
 Fibre withFinishedSurface(Fibre fibre, const Fabric& fabric);
 
 // Used both where loose fibres are laid (core/geometry/yarn/flyaways.cpp) and for their mean length below:

@@ -29,12 +29,14 @@ inline constexpr Word depthOfShade{
 inline constexpr Word depthRed{"Depth, red", depthOfShade.help};
 inline constexpr Word depthGreen{"Depth, green", depthOfShade.help};
 inline constexpr Word depthBlue{"Depth, blue", depthOfShade.help};
-inline constexpr Word lustreAlong{
-    "Lustre along",
-    "How far highlights spread along the fibre: low is lustrous, high is matt (longitudinal roughness, beta_m)."};
-inline constexpr Word lustreAround{
-    "Lustre around",
-    "How far light spreads around the fibre; irregular sections have much of it (azimuthal roughness, beta_n)."};
+inline constexpr Word dullnessAlong{
+    "Dullness along",
+    "How far highlights spread along the fibre: low is bright and lustrous, high is dull (longitudinal roughness, "
+    "beta_m)."};
+inline constexpr Word dullnessAround{
+    "Dullness around",
+    "How far light spreads around the fibre: low glitters, high is even; irregular sections have much of it (azimuthal "
+    "roughness, beta_n)."};
 inline constexpr Word scaleTilt{"Scale tilt", "Tilt of the surface scales; wool has 2 to 3 degrees."};
 inline constexpr Word fibreSection{"Section", "Shape of the fibre, cut across."};
 inline constexpr Word looseStock{"Loose stock",
@@ -201,7 +203,8 @@ inline constexpr Word milling{
 inline constexpr Word mercerised{
     "Mercerised",
     "Cotton is swollen in lye: its fibres become round and smooth, and lustrous. It acts on "
-    "all fibres whose section is a kidney, and is meant for cotton."};
+    "all fibres whose section is a kidney, so on acrylic too, which lye leaves as it is: give "
+    "acrylic another section where both are woven."};
 inline constexpr Word crimpBalance{
     "Crimp balance", "Above 1 the warp takes more of the crimp, below 1 the weft; at 1 stiffness and sett decide."};
 
