@@ -19,11 +19,11 @@ struct StatusModel {
   double thickness_mm = 0;
   std::string warning;  ///< the most important one about the cloth; empty when all is well
   int moreWarnings = 0;
-  bool isUrgent =
-      false;  ///< the warning is of what is not safe: figures give way to it where there is no room for both
+  /// The warning is of what is not safe: figures give way to it where there is no room for both.
+  bool isUrgent = false;
   int samples = 0;
   double seconds = 0;
-  std::string work;        ///< what the workers do: "tracing", "building 40 %", "converged"
+  std::string work;        ///< what the workers do: "refining", "building 40 %", "converged"
   std::string background;  ///< what is done beside that: "visibility 40 %"; empty: nothing
   std::string lamp;        ///< whose spectrum white light has, where it is not daylight's; empty: it is
   bool figuresKnown = false;

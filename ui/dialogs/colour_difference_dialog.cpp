@@ -7,7 +7,6 @@
 #include "core/fabric/model/booth_lamps.h"
 #include "ui/inspector/tolerance_rows.h"
 #include "ui/widgets/choices.h"
-#include "ui/widgets/field_row.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
 #include "ui/words/booth_words.h"

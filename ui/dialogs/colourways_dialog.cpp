@@ -8,7 +8,6 @@
 #include "core/base/fresh_name.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/model/validate.h"
-#include "ui/widgets/field_row.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/picture_card.h"

@@ -6,8 +6,7 @@
 #include <sstream>
 
 #include "core/base/text.h"
-#include "core/fabric/wif/wif_values.h"
-#include "ui/widgets/field_row.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/picture_card.h"
 #include "ui/words/common_words.h"

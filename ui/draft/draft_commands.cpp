@@ -1,7 +1,8 @@
 #include "ui/draft/draft_commands.h"
-#include "ui/widgets/keys.h"
 
 #include <algorithm>
+
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 namespace {

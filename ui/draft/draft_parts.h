@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "ui/draft/draft_layout.h"
 #include "ui/widgets/ui.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/fabric/model/fabric.h"
-#include "core/fabric/model/yarn_count.h"
 #include "ui/inspector/inspector.h"
 
 namespace loomlight {

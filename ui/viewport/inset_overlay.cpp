@@ -1,8 +1,7 @@
 #include "ui/viewport/inset_overlay.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <cmath>
 
 #include "ui/widgets/fields.h"
 #include "ui/words/menu_words.h"

@@ -45,6 +45,7 @@ void makeDigitsTabular(ImFont& font) {
 Fonts loadFonts(ImFontAtlas& atlas, float scale) {
   atlas.Clear();
   Fonts fonts;
+  // By the height of their lines, which is 1.21 times the size of the type: 14 and 12 px.
   fonts.regular = add(atlas, kFontRegular, 17.0f * scale);
   fonts.strong = add(atlas, kFontStrong, 17.0f * scale);
   fonts.small = add(atlas, kFontRegular, 15.0f * scale);

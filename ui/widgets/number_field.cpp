@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/base/text.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
