@@ -320,20 +320,26 @@ TEST_F(LookAtSmall, TheInterfaceIsResized) {
 }
 
 /// In the smallest window that the program asks for, dialogs show all of their rows. A window manager may make it
-/// smaller still: rows that have no room scroll then, and the buttons that end the dialog stay in reach.
+/// smaller still: rows that have no room scroll then, and where the file goes and the buttons that end the dialog stay
+/// in reach.
 TEST(LookAtLeast, DialogsEndWithinTheWindow) {
   constexpr HeadlessEditor::Screen kLeast{960, 600, 1}, kLess{800, 520, 1};
   for (const HeadlessEditor::Screen& screen : {kLeast, kLess}) {
     HeadlessEditor editor(screen);
     editor.start(lightFabric());
     editor.untilPictured();
-    for (const auto& [key, dialog] : {std::pair("ctrl+p", "snapshot"), {"ctrl+e", "tile"}}) {
-      const std::string name = dialog, last = name + ".browse", close = name + ".close", start = name + ".start";
+    for (const auto& [key, dialog, last] : {std::array{"ctrl+p", "snapshot", "snapshot.samples_per_pixel"},
+                                            std::array{"ctrl+e", "tile", "tile.samples"}}) {
+      const std::string name = dialog, file = name + ".file", browse = name + ".browse", close = name + ".close",
+                        start = name + ".start";
       editor.key(key);
       editor.centre(start);
       if (screen.height == kLeast.height) {
-        EXPECT_LT(editor.rect(last).y1, editor.rect(start).y0) << last;
+        EXPECT_LT(editor.rect(last).y1, editor.rect(file).y0) << last;
       }
+      EXPECT_LT(editor.rect(file).y1, editor.rect(browse).y0) << browse;
+      EXPECT_LT(editor.rect(browse).y1, editor.rect(start).y0) << browse;
+      EXPECT_NEAR(editor.rect(browse).x0, editor.rect(file).x0, 1) << "the button stands below the field";
       expectInside(editor, close);
       expectInside(editor, start);
       editor.key("Escape");
