@@ -9,6 +9,7 @@
 #include "app/export/tile.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
+#include "core/base/units.h"
 #include "core/fabric/json/json_text.h"
 
 namespace loomlight {

@@ -3,9 +3,10 @@
 #include <algorithm>
 
 // How it works. The first pass after an edit is as coarse as it must be to be there within a frame or two; each pass
-// after it is twice as fine, until pixels are whole. From then on a pass takes a quarter of the time spent so far,
-// within limits, so that a picture that has long been good is not interrupted often. Of a picture and an inset, the
-// coarser one is traced next, and else the one that has had less time.
+// after it is twice as fine, until pixels are whole. Where the first whole ones would wait for fibres to be laid, the
+// last coarse pass goes on until it has had two paths for each of them. From then on a pass takes a quarter of the time
+// spent so far, within limits, so that a picture that has long been good is not interrupted often. Of a picture and an
+// inset, the coarser one is traced next, and else the one that has had less time.
 namespace loomlight {
 namespace {
 

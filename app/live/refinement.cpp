@@ -256,6 +256,7 @@ void Refinement::endPass() {
   if (!coarse_.empty()) coarse_.erase(coarse_.begin(), coarse_.end() - 1);
   if (plan.divider == 1) {
     history_.samples = plan.samples;
+    if (shared_) shared_->wholeSampleTraced();
     if (records_ && records_->bytes() > 0) coarseRecords_.reset();
     if (!fading()) standIn_.reset();
   } else {
@@ -345,12 +346,13 @@ Frame Refinement::frame() const {
   return frame;
 }
 
-/// A moved picture that was young itself gives way to the first sample of each pixel, or to light that is shared of
-/// some first fibres: it says more than that does of fewer, and less than that does of paths of this view.
+/// A moved picture that was young itself gives way to the first sample of each pixel, or to light that is shared of as
+/// many coarse paths: it says more than that light does of fewer, and less than it does of paths of this view.
 bool Refinement::showsMoved() const {
-  constexpr uint32_t kSome = 4;
   if (!standIn_ || !standIn_->isMoved()) return false;
-  return !standIn_->isYoungView() || !sharesLight() || (history_.samples == 0 && shared_->hits() < kSome);
+  const auto coarse = static_cast<uint32_t>(history_.divider * history_.divider);
+  const bool knowsLittle = history_.samples == 0 && history_.coarseSamples < coarse;
+  return !standIn_->isYoungView() || !sharesLight() || knowsLittle;
 }
 
 /// How much of a pixel what stands in still is, where light is shared.

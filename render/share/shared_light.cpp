@@ -4,7 +4,6 @@
 
 #include "render/media/close_up_medium.h"
 #include "render/scene/camera_rays.h"
-#include "render/scene/fibre_bricks.h"
 
 namespace loomlight {
 namespace {
@@ -81,6 +80,7 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
   if (!haveLikeVoxels(*scene_, *scene)) fate = {};
   scene_ = std::move(scene);
   medium_ = std::move(medium);
+  if (laid_ != scene_->cloth->fibres) laid_.reset();
   switch (fate.cells) {
     case SharedFate::Cells::live:
       break;
@@ -105,10 +105,18 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
   deposits_ = std::make_unique<CellDeposits>(*scene_, *cells_, *hits_);
 }
 
+/// Whether paths of pixels that are so many times as wide as the picture's do.
+bool SharedLight::goAmongFibres(float times) const {
+  return closeUpChance(*scene_->cloth, times * pixelSize_mm(*scene_, hits_->width(), hits_->height())) > 0;
+}
+
 bool SharedLight::waitsForFibres() const {
-  const TraceData& cloth = *scene_->cloth;
-  if (closeUpChance(cloth, pixelSize_mm(*scene_, hits_->width(), hits_->height())) <= 0) return false;
-  return 2 * cloth.fibres->made() < cloth.volume->counts().bricks;
+  constexpr float kCoarse = 2;  // or more
+  return goAmongFibres(1) && !goAmongFibres(kCoarse) && scene_->cloth->fibres != laid_;
+}
+
+void SharedLight::wholeSampleTraced() {
+  if (goAmongFibres(1)) laid_ = scene_->cloth->fibres;
 }
 
 uint32_t SharedLight::samplesAtOnce(int width, int height) {

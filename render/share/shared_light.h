@@ -58,8 +58,11 @@ class SharedLight {
   FirstFibreSink* listener(uint32_t samples, int divider);
   /// After that pass.
   void settle() { deposits_->settle(); }
-  /// Whether some of the film's paths at full resolution will go among fibres, of which most are not laid yet.
+  /// Whether some of the film's paths at full resolution, and no coarse ones, go among fibres that are not laid yet, as
+  /// no whole sample of them has been traced.
   bool waitsForFibres() const;
+  /// Tells it that every pixel of the film has a sample, so that the fibres that it meets are laid.
+  void wholeSampleTraced();
   uint32_t hits() const { return hits_->perPixel(); }  ///< first fibres of every pixel
   /// Of those, what a pixel keeps beside the first fibres of so many samples of its own.
   uint32_t mostHits(uint32_t samples) const { return hits_->most() - std::min(hits_->most(), samples); }
@@ -78,12 +81,15 @@ class SharedLight {
   std::vector<glm::vec4> picture(const Film& film, std::span<const CoarseFilm> coarser, int threads) const;
 
  private:
+  bool goAmongFibres(float times) const;
+
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Medium> medium_;
   size_t cells_bytes_;
   std::unique_ptr<CellSums> cells_;
   std::unique_ptr<FirstHits> hits_;
   std::unique_ptr<CellDeposits> deposits_;
+  std::shared_ptr<const FibreBricks> laid_;  ///< those of the cloth, once a whole sample has met them; else null
 };
 
 }  // namespace loomlight

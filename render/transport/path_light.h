@@ -23,7 +23,7 @@ struct PathLight {
 
   /// The material of the fibre that sent it onto the path, or kNoFibre.
   int sender() const { return traverse_mm > 0 ? material : kNoFibre; }
-  /// Its radiance; of light that the path has found by itself, with its one mode.
+  /// Its radiance; times its one mode where the path has found the light by itself.
   Rgb arriving() const { return sender() == kNoFibre ? radiance * modes[0] : radiance; }
 };
 

@@ -30,7 +30,7 @@ struct SpreadPairs {
   explicit SpreadPairs(const TangentSpread& table);
 };
 
-/// The law of a walk, as LoomlightMedium has it.
+/// The rules of a walk, as LoomlightMedium has them.
 struct WalkRules {
   float farthest_mm = 0;   ///< no axis is looked for farther ahead of the light
   bool packing = true;     ///< light keeps to the gaps between fibres of packed yarns
@@ -39,7 +39,7 @@ struct WalkRules {
   bool byDensity = false;  ///< which component is met hangs on density alone (EventLaw::report)
 };
 
-/// What all rays of a walk have in common: its law, and the volume.
+/// What all rays of a walk have in common: its rules, and the volume.
 struct WalkField : WalkRules {
   const BrickBlock* blocks = nullptr;
   const Component* components = nullptr;

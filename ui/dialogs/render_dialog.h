@@ -27,7 +27,7 @@ class RenderDialog {
   };
   /// Draws it while it is open.
   Answer draw(Ui& ui, const RenderJob& job, const std::function<void()>& rows) { return draw(ui, job, file_, rows); }
-  /// The same where another file than the one that is named says whether something is `replaced`: it is there already.
+  /// The same, with `replaced`: the file that would be written over, where that is another than the one that is named.
   Answer draw(Ui& ui, const RenderJob& job, const std::string& replaced, const std::function<void()>& rows);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/units.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/yarn_need.h"
 #include "ui/inspector/inspector.h"

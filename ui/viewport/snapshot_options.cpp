@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/units.h"
 #include "ui/widgets/member_fields.h"
 #include "ui/words/picture_words.h"
 

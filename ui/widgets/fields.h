@@ -109,7 +109,7 @@ void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text
 
 /// The text of a field is none that it takes: what is wrong with it is said for a few seconds.
 void refuseText(Ui& ui, ImGuiID field, std::string problem);
-/// Says it below the field, over whatever is there; no more once the field is typed into or dragged again.
+/// Says it below the field, over whatever is there; no more once a number's field is typed into or dragged again.
 void showRefusal(Ui& ui, ImGuiID field, ImVec2 min, ImVec2 max);
 
 /// `text`, or as much of it as fits into the width and an ellipsis.

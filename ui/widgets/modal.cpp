@@ -98,8 +98,7 @@ void closeModal(bool& open) {
 void closeButtonBelow(Ui& ui, const char* id, bool& open) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  if (button(ui, id, words::common::close, ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui))
-    closeModal(open);
+  if (button(ui, id, words::common::close, ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui)) closeModal(open);
 }
 
 }  // namespace loomlight

@@ -6,6 +6,7 @@
 
 #include "app/editor/model/picture_label.h"
 #include "app/export/snapshot.h"
+#include "core/base/units.h"
 #include "core/fabric/model/height_seen.h"
 #include "render/display/display_picture.h"
 #include "render/scene/camera_rays.h"

@@ -4,6 +4,7 @@
 
 #include "app/export/handover/side_maps.h"
 #include "app/export/handover/surface_fit.h"
+#include "core/base/units.h"
 
 namespace loomlight {
 

@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/model/height_seen.h"
 #include "render/transport/colour_patch.h"

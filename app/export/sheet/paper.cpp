@@ -8,6 +8,7 @@
 #include "app/export/sheet/cairo_output.h"
 #include "app/export/sheet/pdf_profile.h"
 #include "core/base/file.h"
+#include "core/base/units.h"
 #include "core/base/utf8.h"
 
 namespace loomlight {

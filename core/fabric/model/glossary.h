@@ -35,8 +35,8 @@ inline constexpr Word dullnessAlong{
     "beta_m)."};
 inline constexpr Word dullnessAround{
     "Dullness around",
-    "How far light spreads around the fibre: low glitters, high is even; irregular sections have much of it (azimuthal "
-    "roughness, beta_n)."};
+    "How far light spreads around the fibre: low glitters, high is even; what an irregular section adds comes on top "
+    "(azimuthal roughness, beta_n)."};
 inline constexpr Word scaleTilt{"Scale tilt", "Tilt of the surface scales; wool has 2 to 3 degrees."};
 inline constexpr Word fibreSection{"Section", "Shape of the fibre, cut across."};
 inline constexpr Word looseStock{"Loose stock",

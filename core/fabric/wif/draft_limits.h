@@ -6,8 +6,8 @@
 #include "core/fabric/model/weave.h"
 #include "core/fabric/wif/wif_warnings.h"
 
-/// The lists of a draft in a file, which may name more shafts and treadles than a loom has: what the two readers of
-/// such files do then.
+/// The lists of a draft, and what the two readers of its files do where there are more shafts or treadles than a loom
+/// has.
 namespace loomlight {
 
 /// How a kind of file calls the sections of a draft, for messages.

@@ -151,6 +151,7 @@ def test():
         close_lens(editor)
         look_at_wide_cloth(editor)
         look_at_visibility(editor)
+        expect(editor.fact("dirty") == "yes", "there is unsaved work")
         editor.leave()
 
 

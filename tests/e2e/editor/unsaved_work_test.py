@@ -32,6 +32,7 @@ def a_good_end(editor):
     editor.wait_until("the picture has samples", lambda: editor.number("shown_samples") > 0)
     editor.key("n")
     editor.wait_until("the picture is denoised", lambda: editor.fact("denoised") == "yes")
+    expect(editor.fact("dirty") == "yes", "there is unsaved work")
     editor.leave()
     expect(not os.listdir(editor.state), "a good end leaves nothing to be taken up")
 

@@ -9,8 +9,10 @@ namespace loomlight {
 namespace {
 
 /// Plays the scheduler against a machine that traces a path in `secondsPerPath`.
-std::vector<PassPlan> play(int width, int height, double secondsPerPath, uint32_t wanted, bool known) {
+std::vector<PassPlan> play(int width, int height, double secondsPerPath, uint32_t wanted, bool known,
+                           bool waitsForFibres = false) {
   PassHistory history{width, height};
+  history.waitsForFibres = waitsForFibres;
   if (known) history.secondsPerPath = secondsPerPath;
   std::vector<PassPlan> plans;
   while (plans.size() < 10000) {
@@ -22,6 +24,7 @@ std::vector<PassPlan> play(int width, int height, double secondsPerPath, uint32_
     history.seconds += paths * secondsPerPath;
     history.secondsPerPath = secondsPerPath;
     history.divider = plan.divider;
+    history.coarseSamples = plan.divider > 1 ? plan.samples : 0;
     if (plan.divider == 1) history.samples = plan.samples;
   }
   return plans;
@@ -96,6 +99,27 @@ TEST(PassScheduler, CoarsePassesCostLittle) {
   }
 }
 
+// Two of them for every pixel, and then the picture is traced as any other.
+TEST(PassScheduler, CoarsePathsComeFirstWhereOthersWaitForFibres) {
+  for (const double secondsPerPath : {2e-6, 3e-6, 1e-5}) {
+    const auto plans = play(640, 480, secondsPerPath, 64, true, true), usual = play(640, 480, secondsPerPath, 64, true);
+    double paths = 0, most = 0;  // for each pixel at full resolution
+    for (const PassPlan& plan : plans) {
+      if (plan.divider == 1) break;
+      EXPECT_TRUE(plan.samples == 1 || plan.divider < 4) << "at a coarseness that is not the last";
+      const double own = 1.0 / (plan.divider * plan.divider);
+      paths += own;
+      most = std::max(most, own);
+    }
+    EXPECT_GE(paths, 2);
+    EXPECT_LT(paths, 2 + 1.0 / 3 + most);
+    const auto isFine = [](const PassPlan& plan) { return plan.divider == 1; };
+    const auto first = std::ranges::find_if(plans, isFine), usualFirst = std::ranges::find_if(usual, isFine);
+    EXPECT_EQ(*first, *usualFirst);
+    EXPECT_EQ(plans.back(), usual.back());
+  }
+}
+
 TEST(PassScheduler, PassesStayShortEnoughToBeInterrupted) {
   const double secondsPerPath = 2e-6;
   uint32_t before = 0;
@@ -129,6 +153,19 @@ TEST(HitsWanted, NoneBeforeTheFirstPassThenMoreWithEverySample) {
     before = hitsWanted(history);
   }
   EXPECT_EQ(before, 16u);
+}
+
+TEST(HitsWanted, MoreWithCoarsePaths) {
+  PassHistory history;
+  history.divider = 3;
+  uint32_t before = 0;
+  for (history.coarseSamples = 1; history.coarseSamples <= 18; ++history.coarseSamples) {
+    EXPECT_GE(hitsWanted(history), before);
+    EXPECT_LE(hitsWanted(history), before + 1) << "a round at a time";
+    before = hitsWanted(history);
+  }
+  EXPECT_GE(before, 6u);
+  EXPECT_LE(before, 16u);
 }
 
 TEST(NextSubject, WhatCannotBeSeenYetComesFirstAndThePictureBeforeTheInset) {

@@ -5,11 +5,17 @@
 #include <thread>
 
 #include "app/live/refinement.h"
+#include "render/scene/camera_rays.h"
+#include "render/scene/fibre_bricks.h"
 #include "tests/support/refining_test.h"
 #include "tests/support/watched_medium.h"
 
 namespace loomlight {
 namespace {
+
+double pixelSize_mm(const Camera& camera, int width, int height) {
+  return CameraRays(camera, width, height).pixelSize_mm(static_cast<float>(camera.distance_mm));
+}
 
 class SharedRefinement : public test::RefiningTest {
  protected:
@@ -19,6 +25,18 @@ class SharedRefinement : public test::RefiningTest {
     Refinement refinement(cloth, kWidth, kHeight, {.secondsPerPath = kSlow_s});
     refinement.shareLight(nullptr, {});
     return refinement;
+  }
+
+  /// So near that paths at full resolution go among fibres, and no coarse ones.
+  Traceable seenCloseUp() const {
+    constexpr double kFibres = 1.4;  // in a pixel
+    Fabric near = *cloth.scene->fabric;
+    near.render.estimator = Estimator::loomlight;
+    near.camera.elevation_deg = 70;
+    const auto thinnest_mm = static_cast<double>(cloth.scene->cloth->fibres->thinnest_mm());
+    near.camera.distance_mm *= kFibres * thinnest_mm / pixelSize_mm(near.camera, kWidth, kHeight);
+    const auto scene = test::sceneOf(near);
+    return {scene, makeMedium(*scene, 1e9, Task{})};
   }
 
   /// Seen from elsewhere, and so slow that first fibres take several steps.
@@ -261,6 +279,57 @@ TEST_F(SharedRefinement, BelievesCoarsePassesUntilTheFirstFineOne) {
   ASSERT_EQ(after.film().samples(kWidth / 2, kHeight / 2), 0u);
   // Some 600 paths are noisy by 2 %; the rest is what blocks of them trust less than they might.
   EXPECT_NEAR(luminance(meanOf(after.frame())) / luminance(dim), kBrighter, 0.2 * kBrighter);
+}
+
+// To lay the fibres of a close-up takes seconds: what repeats share learns of two coarse paths for every pixel before,
+// and pixels have first fibres accordingly. Once fibres are there, nothing waits for them.
+TEST_F(SharedRefinement, CoarsePathsComeBeforeFibresAreLaid) {
+  const Traceable closeUp = seenCloseUp();
+  const auto& scene = closeUp.scene;
+  const Refinement::Options options{.secondsPerPath = kSlow_s, .paths_bytes = size_t{1} << 24};
+  const auto coarsePaths = [](const Refinement& refinement) {
+    const Film* film = refinement.paths().film;
+    return film ? static_cast<int>(film->samples(0, 0)) * film->width() * film->height() : 0;
+  };
+  Refinement first(closeUp, kWidth, kHeight, options);
+  first.shareLight(nullptr, {});
+  int paths = 0;
+  while (scene->cloth->fibres->made() == 0) {
+    paths = coarsePaths(first);
+    ASSERT_TRUE(first.advance(Task{{}, {}, 1}));
+  }
+  EXPECT_GE(paths, 2 * kWidth * kHeight);
+  refine(first, 1);
+
+  Refinement second(closeUp, kWidth, kHeight, options);
+  second.shareLight(first.takeSharedLight(), {});
+  paths = 0;
+  while (second.samples() == 0) {
+    paths = std::max(paths, coarsePaths(second));
+    ASSERT_TRUE(second.advance(Task{{}, {}, 1}));
+  }
+  EXPECT_LE(paths, kWidth * kHeight / 2) << "of coarse passes of one sample";
+}
+
+// Where the first sample waits for fibres, a moved picture that was young would be seen all the while.
+TEST_F(SharedRefinement, AMovedCloseUpThatWasYoungGivesWayToCoarsePaths) {
+  const Traceable closeUp = seenCloseUp();
+  Refinement before(closeUp, kWidth, kHeight, {.secondsPerPath = kSlow_s});
+  before.shareLight(nullptr, {});
+  while (!before.frame().shared) ASSERT_TRUE(before.advance(Task{{}, {}, 1}));
+  Fabric turned = *closeUp.scene->fabric;
+  turned.camera.azimuth_deg += 5;
+  const auto scene = makeScene(std::make_shared<const Fabric>(turned), Task{}, closeUp.scene.get());
+  Refinement after({scene, makeMedium(*scene, 1e9, Task{})}, kWidth, kHeight, {.secondsPerPath = kSlow_s});
+  after.movedFrom(std::make_shared<const Frame>(before.frame()), closeUp.scene->fabric->camera);
+  after.shareLight(before.takeSharedLight(), changes(*closeUp.scene->fabric, turned));
+  after.beginWith({12, 0.1, 3});
+  ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+  ASSERT_TRUE(after.fading());
+  EXPECT_FALSE(after.hasDetail());
+  while (!after.hasDetail()) ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+  EXPECT_EQ(after.samples(), 0u);
+  EXPECT_EQ(scene->cloth->fibres->made(), 0u);
 }
 
 // A clear picture says more of another view than cells do; a young one less than they do of paths of this view, but

@@ -78,6 +78,44 @@ TEST(SharedLight, LaysNoFibresToFindCells) {
   EXPECT_GT(picture.scene->cloth->fibres->made(), 0u) << "paths of the film go among them";
 }
 
+// From afar no path goes among fibres, and very close by coarse ones do as well.
+TEST(SharedLight, WaitsForFibresThatOnlyFinePathsGoAmong) {
+  Fabric fabric = cloth(LightKind::dome);
+  fabric.render.estimator = Estimator::loomlight;
+  const float thinnest_mm = test::sceneOf(fabric)->cloth->fibres->thinnest_mm();
+  const CameraRays camera(fabric.camera, kWidth, kHeight);
+  const double distancePerPixel = 1 / camera.pixelSize_mm(1);
+  for (const auto& [fibres, waits] :
+       {std::pair(0.9, false), std::pair(1.1, true), std::pair(1.9, true), std::pair(2.1, false)}) {
+    Fabric near = fabric;
+    near.camera.distance_mm = fibres * thinnest_mm * distancePerPixel;
+    Picture picture(near);
+    EXPECT_EQ(picture.light->waitsForFibres(), waits) << fibres << " fibres in a pixel";
+    picture.light->wholeSampleTraced();
+    EXPECT_FALSE(picture.light->waitsForFibres());
+    const auto other = test::sceneOf(near);  // whose fibres are others
+    picture.light->moveTo(other, makeMedium(*other, 1e9, Task{}), kWidth, kHeight, {});
+    EXPECT_EQ(picture.light->waitsForFibres(), waits);
+    picture.light->moveTo(picture.scene, picture.medium, kWidth, kHeight, {});
+    EXPECT_EQ(picture.light->waitsForFibres(), waits) << "others have been laid since";
+  }
+}
+
+// A whole sample from afar lays none, so that the first close-up waits for them.
+TEST(SharedLight, WaitsForFibresThatWereNotSeenFromAfar) {
+  Fabric fabric = cloth(LightKind::dome);
+  fabric.render.estimator = Estimator::loomlight;
+  Picture picture(fabric);
+  picture.light->wholeSampleTraced();
+  Fabric near = fabric;
+  const float thinnest_mm = picture.scene->cloth->fibres->thinnest_mm();
+  near.camera.distance_mm = 1.4 * thinnest_mm / CameraRays(fabric.camera, kWidth, kHeight).pixelSize_mm(1);
+  const auto scene = makeScene(std::make_shared<const Fabric>(near), Task{}, picture.scene.get());
+  ASSERT_EQ(scene->cloth->fibres, picture.scene->cloth->fibres);
+  picture.light->moveTo(scene, makeMedium(*scene, 1e9, Task{}), kWidth, kHeight, changes(fabric, near));
+  EXPECT_TRUE(picture.light->waitsForFibres());
+}
+
 TEST(SharedLight, IsTheSameFromAnyNumberOfThreads) {
   std::vector<glm::vec4> first;
   for (const int count : {1, 3}) {

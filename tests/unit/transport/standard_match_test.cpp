@@ -36,6 +36,7 @@ TEST(StandardMatches, JudgeThePartThatTheyAreOf) {
   EXPECT_LT(redness(others->back()), redness(others->front())) << "a white warp";
   fabric.yarns.push_back(fabric.yarns[0]);
   const auto larger = makeColourPatch(fabric, {});
+  ASSERT_TRUE(larger);
   EXPECT_THROW(standardMatches(*larger, {{partOfYarn(2), "unused", "lot 7", flat}}, {}), InputError);
 }
 
