@@ -1,6 +1,7 @@
 #include "render/display/picture_buckets.h"
 
 #include <algorithm>
+#include <glm/glm.hpp>
 #include <numeric>
 
 // How it works. A picture that takes long is made in square buckets, those nearest to its middle first, where the eye

@@ -24,7 +24,7 @@ Pixels8 heatMap(const std::vector<float>& values, int width, int height, double 
   pixels.bytes.reserve(3 * values.size());
   for (const float value : values) {
     const Rgb colour = toDisplay(heatColour(value / range), plainTone());
-    for (int i = 0; i < 3; ++i) pixels.bytes.push_back(static_cast<uint8_t>(colour[i] * 255 + 0.5f));
+    for (int i = 0; i < 3; ++i) pixels.bytes.push_back(byteOf(colour[i]));
   }
   return pixels;
 }

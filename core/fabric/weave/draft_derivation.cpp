@@ -141,7 +141,7 @@ Draft withLiftplan(Draft draft) {
   return draft;
 }
 
-Draft withTreadles(Draft draft) {
+Draft withTreadles(const Draft& draft) {
   if (!draft.liftplan.empty() && !draft.risingShed && !swapsUpAndDown(draft))
     return withShed(smallestDraft(drawdown(draft)), false);
   std::map<std::vector<int>, int> treadleOfLift;

@@ -20,7 +20,7 @@ std::optional<Draft> smallestDraft(const Weave& weave, int mostShafts);
 /// Lifts written out pick by pick, in place of tie-up and treadling: for dobby looms.
 Draft withLiftplan(Draft draft);
 /// A tie-up of the lifts that differ, and one treadle a pick, in place of a liftplan or of several treadles a pick.
-Draft withTreadles(Draft draft);
+Draft withTreadles(const Draft& draft);
 /// The other shed: what was raised is left, what was left is pulled down. Treadles are kept where each pick presses
 /// one, and made anew where not. A liftplan says what goes up in either shed, and stays alone.
 Draft withShed(const Draft& draft, bool rising);

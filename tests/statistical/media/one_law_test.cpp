@@ -90,7 +90,7 @@ class LawComparison {
     // Just before and just behind the end: explicit fibres block all at once.
     const float value = flight ? seen(flight->distance_mm * (1 - kAside)) + seen(flight->distance_mm * (1 + kAside))
                                : seen(std::numeric_limits<float>::infinity());
-    strata_[static_cast<size_t>(2 * std::min(events, kEvents - 1) + back)].add(value);
+    strata_[2 * static_cast<size_t>(std::min(events, kEvents - 1)) + static_cast<size_t>(back)].add(value);
     all_.add(value);
   }
   const test::SampledMean& all() const { return all_; }

@@ -19,8 +19,8 @@ std::vector<PassPlan> play(int width, int height, double secondsPerPath, uint32_
     const PassPlan plan = nextPass(history, wanted);
     if (plan.samples == 0) break;
     plans.push_back(plan);
-    const double paths = static_cast<double>(width / plan.divider) * (height / plan.divider) *
-                         (plan.divider == 1 ? plan.samples - history.samples : 1);
+    const int columns = width / plan.divider, rows = height / plan.divider;
+    const double paths = static_cast<double>(columns) * rows * (plan.divider == 1 ? plan.samples - history.samples : 1);
     history.seconds += paths * secondsPerPath;
     history.secondsPerPath = secondsPerPath;
     history.divider = plan.divider;
@@ -56,7 +56,10 @@ TEST(PassScheduler, IsCoarserThanIsLegibleRatherThanSlow) {
     PassHistory history{width, height, kPerPath_s};
     history.first.coarsest = 12;
     history.first.patience_s = kAtMost_s;
-    const auto seconds = [&](int divider) { return kPerPath_s * (width / divider) * (height / divider); };
+    const auto seconds = [&](int divider) {
+      const int columns = width / divider, rows = height / divider;
+      return kPerPath_s * columns * rows;
+    };
     const int divider = nextPass(history, 64).divider;
     EXPECT_GE(divider, 12);
     EXPECT_LE(seconds(divider), kAtMost_s) << width;
