@@ -89,6 +89,10 @@ inline float sum(Float32x4 a) {
 inline bool any(bool mask) {
   return mask;
 }
+inline bool any(Int32x4 mask) {
+  const auto pairs = std::bit_cast<std::array<int64_t, 2>>(mask);
+  return (pairs[0] | pairs[1]) != 0;
+}
 inline bool any(Int32x8 mask) {
   const auto pairs = std::bit_cast<Int64x4>(mask);
   return (pairs[0] | pairs[1] | pairs[2] | pairs[3]) != 0;

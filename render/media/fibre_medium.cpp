@@ -53,7 +53,7 @@ class FibreBatch final : public PathStates<OwnFibre> {
                           met.place.tet};
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
-    count(rays.size(), counts);
+    counts.rays += rays.size();
     for (ShadowRay& ray : rays) {
       const Path& path = paths_[ray.path];
       ray.visible = rays_->isFree(path.place, ray.direction, ray.distance, path.memory) ? 1.0f : 0.0f;
@@ -65,12 +65,8 @@ class FibreBatch final : public PathStates<OwnFibre> {
   }
 
  private:
-  static void count(size_t rays, TraceCounts& counts) {
-    counts.rays += rays;
-    counts.amongFibres += rays;
-  }
   std::optional<Collision> collide(Path& path, glm::vec3 direction, TraceCounts& counts) {
-    count(1, counts);
+    ++counts.rays;
     const auto met = rays_->meet(path.place, direction, path.memory);
     if (!met) return std::nullopt;
     ++counts.events;

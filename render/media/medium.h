@@ -24,14 +24,12 @@ struct TraceCounts {
   uint64_t paths = 0;
   uint64_t events = 0;       ///< fibres met, also those at which paths end that are as long as they may be
   uint64_t rays = 0;         ///< flights and shadow rays
-  uint64_t amongFibres = 0;  ///< of these rays: those that single fibres were asked for
   uint64_t steps = 0;        ///< voxels with content that they crossed; volume only
 
   TraceCounts& operator+=(const TraceCounts& other) {
     paths += other.paths;
     events += other.events;
     rays += other.rays;
-    amongFibres += other.amongFibres;
     steps += other.steps;
     return *this;
   }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <glm/glm.hpp>
+#include <limits>
 
 // Embree 3 (Debian 12) and Embree 4 (Debian 13) differ in how a query is handed over; only this file knows how.
 #ifndef LOOMLIGHT_EMBREE_MAJOR
@@ -48,6 +50,14 @@ inline void occluded(RTCScene scene, QueryContext& context, RTCRay& query) {
 }
 #endif
 
+/// A box for Embree about what we meet by arithmetic of our own: roomier, relative to its coordinates, by more than
+/// Embree's rounding, which differs from processor to processor.
+inline RTCBounds boundsAbout(glm::vec3 lower, glm::vec3 upper) {
+  const glm::vec3 far = glm::max(glm::abs(lower), glm::abs(upper));
+  const float slack = 1e-5f * std::max({far.x, far.y, far.z});
+  return {lower.x - slack, lower.y - slack, lower.z - slack, 0, upper.x + slack, upper.y + slack, upper.z + slack, 0};
+}
+
 /// A ray whose hits count from tNear to tFar.
 inline RTCRay rayOf(glm::vec3 origin, glm::vec3 direction, float tNear, float tFar) {
   RTCRay ray{};
@@ -61,6 +71,10 @@ inline RTCRay rayOf(glm::vec3 origin, glm::vec3 direction, float tNear, float tF
   ray.tfar = tFar;
   ray.mask = ~0u;
   return ray;
+}
+/// What a function of ours does to a ray that meets something, where it is only asked whether it does.
+inline void block(RTCRay& ray) {
+  ray.tfar = -std::numeric_limits<float>::infinity();
 }
 /// The ray with the nearest hit, at its tfar, if it has any.
 inline RTCRayHit nearestHit(RTCScene scene, QueryContext& context, const RTCRay& ray) {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <new>
 
+#include "render/scene/curve_runs.h"
 #include "render/scene/embree_device.h"
 #include "render/scene/place_in_cloth.h"
-#include "render/scene/round_curves.h"
 
 // How it works. A ray goes from cell to cell of the weave, as it does through voxels. In each it is asked of the bricks
 // that reach into the cell, up to six, every one about the middle of its own cell; only what is met inside of the cell
@@ -18,7 +18,7 @@
 
 namespace loomlight {
 struct FibreBricks::Brick {
-  Brick() = default;
+  explicit Brick(CurveRuns c) : curves(std::move(c)) {}
   ~Brick() {
     if (scene) rtcReleaseScene(scene);
   }
@@ -28,9 +28,8 @@ struct FibreBricks::Brick {
   uint64_t fibre(const Reader::Cell::Reaching& of, unsigned segment) const {
     return fibreNumber(of.system, of.system == System::warp ? of.end : of.pick, curves.strandOf(segment));
   }
-  static void filter(const RTCFilterFunctionNArguments* args);
 
-  RoundCurves curves;  ///< from the middle of the cell, cloth space
+  CurveRuns curves;  ///< from the middle of the cell, cloth space
   RTCScene scene = nullptr;
   glm::vec3 lower{0}, upper{0};  ///< of all its fibres
 
@@ -43,28 +42,21 @@ struct FibreBricks::Brick {
   }
 };
 
-/// A question to a brick, which its filter sees behind Embree's own context.
-struct FibreBricks::Reader::Query {
-  embree::QueryContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
+/// A question to a brick; the fibre that the ray leaves does not count.
+struct FibreBricks::Reader::Query : CurveQuery {
+  /// `from`: where on the ray Embree's begins.
+  Query(const Cell::Reaching& reaching, const ClothRay& ray, float from)
+      : CurveQuery(sees), of(&reaching), ownFibre(ray.ownFibre), ownUntil(ray.ownUntil - from) {}
+
+  static bool sees(const CurveQuery& query, uint32_t segment, float t) {
+    const auto& asked = static_cast<const Query&>(query);
+    return t >= asked.ownUntil || asked.of->brick->fibre(*asked.of, segment) != asked.ownFibre;
+  }
+
   const Cell::Reaching* of;
   uint64_t ownFibre;
   float ownUntil;  ///< of Embree's ray
-
-  /// `from`: where on the ray Embree's begins.
-  Query(const Cell::Reaching& reaching, const ClothRay& ray, float from)
-      : of(&reaching), ownFibre(ray.ownFibre), ownUntil(ray.ownUntil - from) {
-    embree::initialise(embree);
-  }
 };
-
-/// Surfaces count from outside only: a ray that comes into a cell may be inside of a fibre, which it has met before.
-void FibreBricks::Brick::filter(const RTCFilterFunctionNArguments* args) {
-  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
-  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
-  const auto& query = *reinterpret_cast<const Reader::Query*>(args->context);
-  const bool own = ray->tfar < query.ownUntil && query.of->brick->fibre(*query.of, hit->primID) == query.ownFibre;
-  if (RoundCurves::isFromInside(*args) || own) args->valid[0] = 0;
-}
 
 struct FibreBricks::Slot {
   std::once_flag once;
@@ -113,10 +105,13 @@ const FibreBricks::Brick& FibreBricks::brick(const YarnCellKey& key) const {
 
 std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const YarnCellKey& key) const {
   std::call_once(started_, [this] { device_ = std::make_unique<EmbreeDevice>(); });
-  auto brick = std::make_unique<Brick>();
-  brick->curves.add(geometry_->strands(key), [&](glm::vec3 usz) { return inCloth(usz, key.system, glm::vec2(0)); });
-  RTCGeometry curves = brick->curves.geometry(*device_, Brick::filter, nullptr);
+  auto brick = std::make_unique<Brick>(
+      CurveRuns(geometry_->strands(key), [&](glm::vec3 usz) { return inCloth(usz, key.system, glm::vec2(0)); }));
+  RTCGeometry curves = brick->curves.geometry(*device_);
   brick->scene = rtcNewScene(*device_);
+  // Boxes in the order of a curve through space: it is quicker by far to make, and rays take as long, as with boxes
+  // parted with care.
+  rtcSetSceneBuildQuality(brick->scene, RTC_BUILD_QUALITY_LOW);
   rtcAttachGeometry(brick->scene, curves);
   rtcReleaseGeometry(curves);
   // On one thread: many bricks are made side by side, and this thread may not take up other work while it waits for

@@ -19,14 +19,16 @@ namespace loomlight {
 class EmbreeDevice;
 
 /// The fibres of a cloth's yarns, laid once for all cells of a key, as voxels are: a brick of fibres is the strands of
-/// a yarn in a cell, as Embree round curves. So there are explicit fibres in cloth of any size and on every drape, for
+/// a yarn in a cell, as round curves. So there are explicit fibres in cloth of any size and on every drape, for
 /// the memory of the bricks that rays have come to. A brick is made when the first ray comes to it, which shows in
 /// nothing but time. Serves every cloth of these yarns (YarnTable::sameShapes()), whatever its weave. Safe to ask from
 /// many threads, each with a Reader of its own.
 class FibreBricks {
  public:
-  /// What the bricks of a cloth may take in all, were every one made: some 70 bytes a segment.
-  static constexpr size_t kMostSegments = 25'000'000;
+  /// What a segment takes: measured 26 where strands are long, 31 where they are short.
+  static constexpr size_t kBytesPerSegment = 31;
+  /// What the bricks of a cloth may hold in all, were every one made: 1.9 GB.
+  static constexpr size_t kMostSegments = 60'000'000;
 
   /// Why there are none of a volume: where all of its bricks would be more than kMostSegments. A sentence for who looks
   /// closely, empty where there are.

@@ -81,7 +81,7 @@ FibreSize sizeOfRepeat(const ClothGeometry& geometry, double segmentsPerCrossing
 FibreSize sizeOfBricks(const TraceData& cloth) {
   const ClothGeometry& geometry = cloth.volume->geometry();
   const auto segments = static_cast<double>(cloth.volume->counts().segments);
-  return {geometry.ends(), geometry.picks(), glm::ivec2(1), segments, segments * kBytesPerSegment, true};
+  return {geometry.ends(), geometry.picks(), glm::ivec2(1), segments, segments * FibreBricks::kBytesPerSegment, true};
 }
 
 }  // namespace

@@ -168,17 +168,18 @@ bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& opti
   return true;
 }
 
-/// The kind of processor that shows where it shows: that of the tables of visibility, which may be from a folder that
-/// others share, or this one's.
+/// The kind of processor, where it shows: that of the tables of visibility, which may be from a folder that others
+/// share, or this one's, which shows in a tree of all fibres. Empty elsewhere.
 std::string kindOf(const MediumCost& medium) {
-  return medium.bvdfBytes > 0 ? fmt::format("{:016x}", medium.bvdfChecksum) : processorKind();
+  if (medium.bvdfBytes > 0) return fmt::format("{:016x}", medium.bvdfChecksum);
+  return medium.acceleratorBytes > 0 ? processorKind() : "";
 }
 
 /// Before it costs hours: samples that another kind of processor began have other last bits, so that a part would go
 /// with no other part. A whole picture may be gone on with, which is said.
 void expectKind(const std::string& kind, const Begun& picture, const std::string& resumed) {
   const std::string& begun = picture.origin.processor;
-  if (begun.empty() || begun == kind) return;
+  if (begun.empty() || kind.empty() || begun == kind) return;
   const std::string others =
       fmt::format("{}: begun by {}, this one is {}", resumed,
                   begun == kSeveralKinds ? "several kinds of processor" : "another kind of processor, " + begun, kind);
@@ -266,7 +267,7 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
   Stopwatch watch;
   const bool complete = trace(built, picture, task, command.progress, counts);
   const double render_s = watch.lap();
-  origin.processor = withKind(picture.origin.processor, built.cost.bvdfBytes > 0 || counts.amongFibres > 0 ? kind : "");
+  origin.processor = withKind(picture.origin.processor, kind);
 
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
   write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(), origin);

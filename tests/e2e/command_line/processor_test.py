@@ -3,8 +3,8 @@
 The dynamic loader and the program ask glibc what the processor has, and glibc can be told to deny a part of it
 (GLIBC_TUNABLES), so that this shows on every machine. What only looks the same, an illegal instruction on the way to that
 line, shows on an emulated processor, where there is one (package qemu-user-static). So does that pictures are the same
-bytes on processors that round otherwise where they may, as in their estimates of 1 / x; and single fibres, which are not,
-are told apart. That packages, which have libraries for both kinds, render the same bytes by each is for
+bytes on processors that round otherwise where they may, as in their estimates of 1 / x; and those of all fibres of a piece,
+which are not, are told apart. That packages, which have libraries for both kinds, render the same bytes by each is for
 tests/package_room."""
 
 import functools
@@ -63,18 +63,19 @@ class Processor(CommandLineTest):
 
     @unittest.skipUnless(EMULATOR, "no emulator of processors is installed (package qemu-user-static)")
     @unittest.skipIf(SANITIZED, "sanitizers ask for more memory than the emulator gives")
-    def test_another_maker_s_processor_renders_the_same_bytes_but_of_single_fibres(self):
+    def test_another_maker_s_processor_renders_the_same_bytes_but_of_a_tree_of_fibres(self):
         """In one run, since to start the emulator takes longer than to render."""
         another = self.another_maker_s()
         drapes = ("flat", "cylinder", "folds")
         fabrics = [self.fabric(f"{drape}.json", drape={**SMALL["drape"], "kind": drape}) for drape in drapes]
+        close_up = self.fabric("close_up.json", camera={**SMALL["camera"], "distance_mm": 1})
         fibres = self.fabric("fibres.json", render={**SMALL["render"], "method": "fibres"})
-        words = ("render", *fabrics, fibres, "--spp", 4, "--samples", 3, "-o")
+        words = ("render", *fabrics, close_up, fibres, "--spp", 4, "--samples", 3, "-o")
         self.run_program(*words, "here_{}.exr")
         self.run_program(*words, "another_{}.exr", before=another)
-        for drape in drapes:
-            with self.subTest(drape):
-                self.assertEqual(self.bytes_of(f"another_{drape}.exr"), self.bytes_of(f"here_{drape}.exr"))
+        for name in (*drapes, "close_up"):
+            with self.subTest(name):
+                self.assertEqual(self.bytes_of(f"another_{name}.exr"), self.bytes_of(f"here_{name}.exr"))
         self.run_program("render", fibres, "--spp", 4, "--samples-from", 3, "-o", "rest.exr")
         self.run_program("merge", "here_fibres.exr", "rest.exr", "-o", "merged.exr")
         message = self.run_program("merge", "rest.exr", "another_fibres.exr", "-o", "refused.exr", status=1)

@@ -107,7 +107,7 @@ TEST(FibreBricks, SayWhyThereAreNone) {
   counts.segments = FibreBricks::kMostSegments;
   EXPECT_EQ(FibreBricks::whyNone(counts), "");
   counts.segments *= 2;
-  EXPECT_NE(FibreBricks::whyNone(counts).find("50 million fibre segments"), std::string::npos);
+  EXPECT_NE(FibreBricks::whyNone(counts).find("120 million fibre segments"), std::string::npos);
 }
 
 TEST(FibreBricks, AreMadeOncePerKeyAndServeAnyWeave) {
