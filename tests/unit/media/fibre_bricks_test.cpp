@@ -88,6 +88,51 @@ TEST(FibreBricks, MeetWhatTheWholeTreeMeets) {
   EXPECT_GT(agreement.same, 0.995 * agreement.hits);
 }
 
+/// A flat cloth's part of a ray is all of it that there is.
+std::optional<ClothRay> inCloth(const TraceData& cloth, const Ray& ray) {
+  ShellWalk walk(cloth, {ray.origin, -1}, ray.direction, 1e9f);
+  if (!walk.next()) return std::nullopt;
+  const ShellSegment& s = walk.segment();
+  return ClothRay{s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave};
+}
+
+// 1e-4 mm are some roundings of the 30 mm from which rays come, and a hundredth of a fibre.
+TEST(FibreBricks, BlockLightWhereTheyAreMetButNotThatOfTheirOwnFibre) {
+  constexpr float kNear_mm = 1e-4f;
+  const auto scene = test::sceneOf(smallPiece());
+  FibreBricks::Reader reader(*scene->cloth->fibres, *scene->cloth->volume);
+  Random random(11);
+  int hits = 0, others = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::optional<ClothRay> ray = inCloth(*scene->cloth, rayInto(*scene->cloth->shell, random));
+    if (!ray) continue;
+    const auto hit = reader.meet(*ray);
+    EXPECT_EQ(reader.isFree(*ray), !hit) << i;
+    if (!hit) continue;
+    ++hits;
+    const float met = hit->distance_mm;
+    ray->t1 = met - kNear_mm;
+    EXPECT_TRUE(reader.isFree(*ray)) << i;
+    ray->t1 = met + kNear_mm;
+    EXPECT_FALSE(reader.isFree(*ray)) << i;
+
+    // The fibre that a ray leaves is hidden from it up to a distance: first one before the fibre, then one behind it.
+    ray->ownFibre = hit->fibre;
+    ray->ownUntil = met - kNear_mm;
+    EXPECT_FALSE(reader.isFree(*ray)) << i;
+    EXPECT_TRUE(reader.meet(*ray)) << i;
+    ray->ownUntil = met + 2 * kNear_mm;
+    const auto another = reader.meet(*ray);
+    EXPECT_EQ(reader.isFree(*ray), !another) << i;
+    if (another) {
+      EXPECT_NE(another->fibre, hit->fibre) << i;
+    }
+    others += another.has_value();
+  }
+  EXPECT_GT(hits, 500);
+  EXPECT_LT(others, hits / 20);
+}
+
 /// On a drape the whole tree's fibres are chords between bent points, and here rays are bent, tetrahedron by
 /// tetrahedron: where both lie differs by the sagitta of a triangle, so at the rim of a fibre another may be met.
 TEST(FibreBricks, AreBentAsTheDrapeIs) {
