@@ -19,7 +19,7 @@ struct SampleOrigin {
   std::string mesh;         ///< a digest of the drape's file
   std::string environment;  ///< a digest of the light's file
   std::string lamp;         ///< a digest of the file with its lamps' spectrum
-  /// The kind of processor that shows in their last bits: of the rays among single fibres (processorKind()), or of the
+  /// The kind of processor that shows in their last bits: of the rays in a tree of fibres (processorKind()), or of the
   /// report's tables of visibility. Empty where every processor traces the same; kSeveralKinds.
   std::string processor;
   bool operator==(const SampleOrigin&) const = default;
