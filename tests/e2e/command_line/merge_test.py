@@ -134,18 +134,16 @@ class Merge(CommandLineTest):
         (self.folder / part).write_bytes(self.bytes_of(part).replace(kind, another))
         return kind.decode(), another.decode()
 
-    def test_single_fibres_are_of_one_kind_of_processor(self):
-        near = self.fabric("near.json", camera={"distance_mm": 0.7})
-        for cloth, options in ((None, ("--method", "fibres")), (near, ())):
-            with self.subTest(options):
-                self.part("a.exr", 0, 4, *options, cloth=cloth)
-                self.part("b.exr", 4, 3, *options, cloth=cloth)
-                self.run_program("merge", "a.exr", "b.exr", "-o", "merged.exr")
-                self.assertEqual(self.bytes_of("merged.exr"), self.render("whole.exr", *options, cloth=cloth))
-                kinds = self.of_another_processor("b.exr")
-                message = self.refused("a.exr", "b.exr")
-                for word in ("a.exr", "b.exr", "kind of processor", *kinds):
-                    self.assertIn(word, message)
+    def test_a_tree_of_fibres_is_of_one_kind_of_processor(self):
+        options = ("--method", "fibres")
+        self.part("a.exr", 0, 4, *options)
+        self.part("b.exr", 4, 3, *options)
+        self.run_program("merge", "a.exr", "b.exr", "-o", "merged.exr")
+        self.assertEqual(self.bytes_of("merged.exr"), self.render("whole.exr", *options))
+        kinds = self.of_another_processor("b.exr")
+        message = self.refused("a.exr", "b.exr")
+        for word in ("a.exr", "b.exr", "kind of processor", *kinds):
+            self.assertIn(word, message)
 
     def test_tables_of_visibility_are_of_one_kind_of_processor(self):
         options, own = ("--estimator", "report"), {"env": {**os.environ, "XDG_CACHE_HOME": str(self.folder)}}
@@ -159,9 +157,12 @@ class Merge(CommandLineTest):
         message = self.run_program("render", "--resume", "a.exr", "-o", "longer.exr", "--samples", 5, status=1, **own)
         self.assertIn("begun by another kind of processor", message)
 
-    def test_the_volume_is_of_any_processor(self):
-        self.part("a.exr", 0, 4)
-        self.assertIsNone(re.search(b'"processor"', self.bytes_of("a.exr")))
+    def test_volume_close_ups_and_bricks_are_of_any_processor(self):
+        near = self.fabric("near.json", camera={"distance_mm": 0.7})
+        for cloth, options in ((None, ()), (near, ()), (None, ("--method", "fibres", "--fibres-extent", "bricks"))):
+            with self.subTest(options, cloth=cloth):
+                self.part("a.exr", 0, 4, *options, cloth=cloth)
+                self.assertIsNone(re.search(b'"processor"', self.bytes_of("a.exr")))
 
     def test_what_one_kind_of_processor_began_and_another_went_on_with_is_refused(self):
         self.part("a.exr", 0, 2, "--method", "fibres")
