@@ -22,9 +22,9 @@ struct ScenePoint {
 /// What a path or a pass cost.
 struct TraceCounts {
   uint64_t paths = 0;
-  uint64_t events = 0;       ///< fibres met, also those at which paths end that are as long as they may be
-  uint64_t rays = 0;         ///< flights and shadow rays
-  uint64_t steps = 0;        ///< voxels with content that they crossed; volume only
+  uint64_t events = 0;  ///< fibres met, also those at which paths end that are as long as they may be
+  uint64_t rays = 0;    ///< flights and shadow rays
+  uint64_t steps = 0;   ///< voxels with content that they crossed; volume only
 
   TraceCounts& operator+=(const TraceCounts& other) {
     paths += other.paths;
