@@ -90,8 +90,7 @@ inline bool any(bool mask) {
   return mask;
 }
 inline bool any(Int32x4 mask) {
-  const auto pairs = std::bit_cast<std::array<int64_t, 2>>(mask);
-  return (pairs[0] | pairs[1]) != 0;
+  return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
 inline bool any(Int32x8 mask) {
   const auto pairs = std::bit_cast<Int64x4>(mask);

@@ -49,12 +49,11 @@ CurveRun::Hits CurveRun::meet(glm::vec3 origin, glm::vec3 direction, const Curve
   const Vec3Of<Lanes> axis = Vec3Of<Lanes>{loaded(&x_[1]), loaded(&y_[1]), loaded(&z_[1])} - start;
   const Vec3Of<Lanes> from = inAll(origin) - start, along = inAll(direction);
   const Lanes axis2 = dot(axis, axis), directionOn = dot(axis, along), fromOn = dot(axis, from);
-  // a t^2 + 2 b t + c = 0, all of it axis2 times what it is across the axis.
-  const Lanes radius2 = broadcast<Lanes>(radius_mm_ * radius_mm_);
-  const Lanes a = axis2 * dot(along, along) - directionOn * directionOn;
-  const Lanes b = axis2 * dot(from, along) - fromOn * directionOn;
-  const Lanes c = axis2 * (dot(from, from) - radius2) - fromOn * fromOn;
-  const Lanes h = b * b - a * c;
+  // a t^2 + 2 b t + c = 0, of which h is a fourth of the discriminant. By the distance of the two lines, not as a
+  // difference of squares, in which what rounding leaves grows with the square of a segment's length in radii.
+  const Vec3Of<Lanes> across = cross(axis, along);
+  const Lanes a = dot(across, across), b = dot(across, cross(axis, from)), apart = dot(across, from);
+  const Lanes h = axis2 * (broadcast<Lanes>(radius_mm_ * radius_mm_) * a - apart * apart);
   Hits hits;
   const auto passes = (h >= 0) & (axis2 > 0);  // there are segments, and the ray does not pass by
   if (!any(passes)) return hits;
@@ -85,9 +84,10 @@ CurveRun::Hits CurveRun::meet(glm::vec3 origin, glm::vec3 direction, const Curve
 bool CurveRun::meetBall(int end, glm::vec3 origin, glm::vec3 direction, float& t, glm::vec3& normal) const {
   const glm::vec3 from = origin - point(end);
   const float a = glm::dot(direction, direction), b = glm::dot(direction, from);
-  const float h = b * b - a * (glm::dot(from, from) - radius_mm_ * radius_mm_);
+  const glm::vec3 nearest = from - b / a * direction;
+  const float h = radius_mm_ * radius_mm_ - glm::dot(nearest, nearest);
   if (!(h >= 0)) return false;
-  t = (-b - std::sqrt(h)) / a;
+  t = -b / a - std::sqrt(h / a);
   normal = from + t * direction;
   return true;
 }

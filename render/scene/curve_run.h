@@ -36,9 +36,10 @@ class alignas(64) CurveRun {
   glm::vec3 tangent(int segment) const { return glm::normalize(point(segment + 1) - point(segment)); }  ///< unit
   float radius_mm() const { return radius_mm_; }
 
-  /// `previous`: the run from which the curve comes, where it does not begin with this one. Nothing is met at joints
-  /// through what lies within another segment. Plain arithmetic of floats, the same on every processor, exact to some
-  /// roundings of the coordinates, which should be counted from somewhere near.
+  /// `previous`: the run from which the curve comes, where it does not begin with this one. At a joint the ball is met
+  /// only where it lies in no segment; on the inner side of a bend a ray from inside may meet the next segment's wall,
+  /// one in thousands. Plain arithmetic of floats, the same on every processor, exact to some roundings of the
+  /// coordinates, which should be counted from somewhere near.
   Hits meet(glm::vec3 origin, glm::vec3 direction, const CurvePart& part, const CurveRun* previous) const;
 
  private:

@@ -58,9 +58,11 @@ class CurveRuns {
 
 template <class PlaceOf>
 CurveRuns::CurveRuns(const CellStrands& cell, const PlaceOf& placeOf) {
-  const size_t most = cell.segments() / CurveRun::kSegments + cell.strands.size();
-  runs_.reserve(most);
-  parts_.reserve(most);
+  size_t runs = 0;
+  for (const CellStrands::Strand& strand : cell.strands)
+    runs += (strand.count + CurveRun::kSegments - 2) / CurveRun::kSegments;
+  runs_.reserve(runs);
+  parts_.reserve(runs);
   std::vector<glm::vec3> line;
   for (size_t s = 0; s < cell.strands.size(); ++s) {
     const CellStrands::Strand& strand = cell.strands[s];

@@ -50,8 +50,9 @@ inline void occluded(RTCScene scene, QueryContext& context, RTCRay& query) {
 }
 #endif
 
-/// A box for Embree about what we meet by arithmetic of our own: roomier, relative to its coordinates, by more than
-/// Embree's rounding, which differs from processor to processor.
+/// A box for Embree about what we meet by arithmetic of our own. Roomier, by a hundred roundings of its largest
+/// coordinate: Embree's own, which differ by processor, decide nothing for rays from within so many times that
+/// distance.
 inline RTCBounds boundsAbout(glm::vec3 lower, glm::vec3 upper) {
   const glm::vec3 far = glm::max(glm::abs(lower), glm::abs(upper));
   const float slack = 1e-5f * std::max({far.x, far.y, far.z});

@@ -19,7 +19,7 @@ namespace {
 
 // Measured resident, at their largest: our arrays 25-26 bytes a segment, Embree's 36-42; the estimate of segments is
 // a few percent low.
-constexpr double kBytesPerSegment = 26 + 46;
+constexpr double kTreeBytesPerSegment = 26 + 46;
 constexpr double kBytesPerCopy = 400;
 
 /// So that the arrangement of a few fibres does not decide how a wide cloth looks.
@@ -38,7 +38,7 @@ FibreSize sizeOf(const ClothGeometry& geometry, double segmentsPerCrossing, int6
   size.copies = {(geometry.ends() + size.ends - 1) / size.ends, (geometry.picks() + size.picks - 1) / size.picks};
   size.segments = segmentsPerCrossing * size.ends * size.picks;
   const double copies = size.isWholePiece() ? 0.0 : static_cast<double>(size.copies.x) * size.copies.y;
-  size.bytes = size.segments * kBytesPerSegment + copies * kBytesPerCopy;
+  size.bytes = size.segments * kTreeBytesPerSegment + copies * kBytesPerCopy;
   return size;
 }
 

@@ -104,7 +104,7 @@ void meetFace(const RTCIntersectFunctionNArguments* arguments) {
   query.hit.primID = arguments->primID;
 }
 
-/// The box of a face, with the slack about it in which its parameter may be off.
+/// The box of a face, with the slack about it in which its parameter may be off (kSlack).
 void boundFace(const RTCBoundsFunctionArguments* arguments) {
   const auto& shell = *static_cast<const Shell*>(arguments->geometryUserPtr);
   glm::vec3 lower(std::numeric_limits<float>::infinity()), upper(-lower);
@@ -112,11 +112,7 @@ void boundFace(const RTCBoundsFunctionArguments* arguments) {
     lower = glm::min(lower, shell.vertices()[vertex]);
     upper = glm::max(upper, shell.vertices()[vertex]);
   }
-  const glm::vec3 far = glm::max(glm::abs(lower), glm::abs(upper));
-  const float slack = kSlack * std::max({far.x, far.y, far.z});
-  lower -= slack;
-  upper += slack;
-  *arguments->bounds_o = {lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z, 0};
+  *arguments->bounds_o = embree::boundsAbout(lower, upper);
 }
 
 /// Unit vectors to the four sides of a direction, by attempt 1..4; attempt 0 stays.

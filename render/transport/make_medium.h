@@ -13,7 +13,7 @@ namespace loomlight {
 
 /// What a medium took to make, beyond the scene; all 0 where it only looks at the scene's volume.
 struct MediumCost {
-  size_t segments = 0;  ///< of fibres, as they are traced
+  size_t segments = 0;  ///< in a tree of fibres; 0 of bricks, which are laid as rays come to them
   size_t geometryBytes = 0;
   size_t acceleratorBytes = 0;
   double fibreSeconds = 0;

@@ -17,7 +17,7 @@ namespace loomlight::test {
 /// to surface in double, mirrored or refracted at each (Snell, Fresnel for unpolarised light), and tell how far they
 /// have travelled inside. Written apart from the tracer: nothing but the polylines of the fibres is shared.
 ///
-/// From outside a fibre is the union of capsules, one about each piece of its polyline, as Embree's round curves are;
+/// From outside a fibre is the union of capsules, one about each piece of its polyline, as the tracer's are;
 /// inside, a ray sees the straight cylinder of the piece that it came into. Surfaces are met from outside only, so that
 /// where two fibres overlap by a little, the second one is passed through.
 class GlassFibres {

@@ -172,7 +172,7 @@ bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& opti
 /// share, or this one's, which shows in a tree of all fibres. Empty elsewhere.
 std::string kindOf(const MediumCost& medium) {
   if (medium.bvdfBytes > 0) return fmt::format("{:016x}", medium.bvdfChecksum);
-  return medium.acceleratorBytes > 0 ? processorKind() : "";
+  return medium.segments > 0 ? processorKind() : "";
 }
 
 /// Before it costs hours: samples that another kind of processor began have other last bits, so that a part would go
