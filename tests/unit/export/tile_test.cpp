@@ -125,20 +125,19 @@ TEST(Tile, ColoursHaveLittleNoise) {
   longer.render.seed = 1;
   const Film many = rendered(longer);
   const TileMaps maps = tileMaps(few, scene, 1);
-  double ours = 0, plain = 0, light = 0, sum = 0, plainSum = 0;
+  double ours = 0, plain = 0, sum = 0, plainSum = 0;
   for (int y = 0; y < maps.height; ++y)
     for (int x = 0; x < maps.width; ++x) {
       const float alpha = few.alpha(x, y);
       if (alpha == 0 || many.alpha(x, y) == 0) continue;
-      const Rgb truth = many.mean(x, y) / many.alpha(x, y), as_traced = few.mean(x, y) / alpha;
+      const Rgb truth = many.mean(x, y) / many.alpha(x, y), asTraced = few.mean(x, y) / alpha;
       const Rgb colour =
           maps.baseColour[static_cast<size_t>(y) * static_cast<size_t>(maps.width) + static_cast<size_t>(x)];
-      const Rgb off = colour - truth, plainOff = as_traced - truth;
+      const Rgb off = colour - truth, plainOff = asTraced - truth;
       ours += alpha * glm::dot(off, off);
       plain += alpha * glm::dot(plainOff, plainOff);
-      light += alpha * glm::dot(truth, truth);
       sum += alpha * luminance(colour);
-      plainSum += alpha * luminance(as_traced);
+      plainSum += alpha * luminance(asTraced);
     }
   EXPECT_LT(ours, plain / 3);
   EXPECT_NEAR(sum, plainSum, 0.01 * plainSum);
