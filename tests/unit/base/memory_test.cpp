@@ -24,7 +24,10 @@ size_t residentBytes() {
 TEST(ReleaseFreeMemory, HandsBackWhatLiesBelowTheLiving) {
   constexpr size_t kCount = 400'000, kBytes = 160;
   std::vector<std::unique_ptr<char[]>> small(kCount);
-  for (auto& one : small) one = std::make_unique<char[]>(kBytes);
+  for (auto& one : small) {
+    one = std::make_unique<char[]>(kBytes);
+    *const_cast<volatile char*>(one.get()) = 1;  // memory that nobody uses a compiler may leave out
+  }
   const auto living = std::make_unique<char[]>(kBytes);
   for (auto& one : small) one.reset();
   const size_t before = residentBytes();
