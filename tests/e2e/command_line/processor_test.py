@@ -48,6 +48,10 @@ class Processor(CommandLineTest):
 
     def another_maker_s(self):
         """The words before a command by which it runs on an emulated processor, whose estimates are no maker's."""
+        # QEMU 7.2 dies in a gather of AVX2 as Clang writes it (from 2 GB beyond its table, by negative indices), which
+        # processors do.
+        if self.level() != "x86-64" and "compiler: Clang" in self.run_program("--version"):
+            self.skipTest("the emulator dies in gathers that Clang has compiled for AVX2")
         another = another_maker_s(self.level())
         if not another:
             self.skipTest("the emulator has no AVX2")

@@ -20,16 +20,22 @@ size_t residentBytes() {
   return resident * static_cast<size_t>(sysconf(_SC_PAGE_SIZE));
 }
 
+constexpr size_t kBytes = 160;
+
+/// Written to, as a compiler may leave out memory that nobody uses.
+std::unique_ptr<char[]> small() {
+  auto memory = std::make_unique<char[]>(kBytes);
+  *const_cast<volatile char*>(memory.get()) = 1;
+  return memory;
+}
+
 /// Small things that die below one that lives: the allocator keeps their pages, as it gives back only what lies on top.
 TEST(ReleaseFreeMemory, HandsBackWhatLiesBelowTheLiving) {
-  constexpr size_t kCount = 400'000, kBytes = 160;
-  std::vector<std::unique_ptr<char[]>> small(kCount);
-  for (auto& one : small) {
-    one = std::make_unique<char[]>(kBytes);
-    *const_cast<volatile char*>(one.get()) = 1;  // memory that nobody uses a compiler may leave out
-  }
-  const auto living = std::make_unique<char[]>(kBytes);
-  for (auto& one : small) one.reset();
+  constexpr size_t kCount = 400'000;
+  std::vector<std::unique_ptr<char[]>> dying(kCount);
+  for (auto& one : dying) one = small();
+  const auto living = small();
+  for (auto& one : dying) one.reset();
   const size_t before = residentBytes();
   releaseFreeMemory();
   EXPECT_LT(residentBytes() + kCount * kBytes / 2, before);
