@@ -163,6 +163,9 @@ class Merge(CommandLineTest):
             with self.subTest(options, cloth=cloth):
                 self.part("a.exr", 0, 4, *options, cloth=cloth)
                 self.assertIsNone(re.search(b'"processor"', self.bytes_of("a.exr")))
+                self.part("b.exr", 4, 3, *options, cloth=cloth)
+                self.run_program("merge", "a.exr", "b.exr", "-o", "merged.exr")
+                self.assertEqual(self.bytes_of("merged.exr"), self.render("whole.exr", *options, cloth=cloth))
 
     def test_what_one_kind_of_processor_began_and_another_went_on_with_is_refused(self):
         self.part("a.exr", 0, 2, "--method", "fibres")
