@@ -5,13 +5,6 @@
 namespace loomlight {
 namespace {
 
-glm::vec3 originOf(const RTCRay& ray) {
-  return {ray.org_x, ray.org_y, ray.org_z};
-}
-glm::vec3 directionOf(const RTCRay& ray) {
-  return {ray.dir_x, ray.dir_y, ray.dir_z};
-}
-
 template <class Arguments>
 const CurveQuery& queryOf(const Arguments& arguments) {
   return *reinterpret_cast<const CurveQuery*>(arguments.context);
@@ -55,10 +48,10 @@ void CurveRuns::forEachHit(uint32_t number, const RTCRay& ray, const Visit& visi
   const CurveRun* const run = runs_.data() + number;
   const CurvePart& part = parts_[number];
   // From where the ray passes by: a fibre's radius is little beside a cell, and would drown in rounding.
-  const glm::vec3 direction = directionOf(ray), to = run->point(0) - originOf(ray);
+  const glm::vec3 direction = embree::directionOf(ray), to = run->point(0) - embree::originOf(ray);
   const float near = glm::dot(to, direction) / glm::dot(direction, direction);
   const CurveRun::Hits hits =
-      run->meet(originOf(ray) + near * direction, direction, part, part.begins ? nullptr : run - 1);
+      run->meet(embree::originOf(ray) + near * direction, direction, part, part.begins ? nullptr : run - 1);
   for (unsigned i = 0; hits.segments >> i; ++i) {
     const float t = near + hits.t[i];
     if ((hits.segments >> i & 1) && t >= ray.tnear && t <= ray.tfar)

@@ -73,6 +73,12 @@ inline RTCRay rayOf(glm::vec3 origin, glm::vec3 direction, float tNear, float tF
   ray.mask = ~0u;
   return ray;
 }
+inline glm::vec3 originOf(const RTCRay& ray) {
+  return {ray.org_x, ray.org_y, ray.org_z};
+}
+inline glm::vec3 directionOf(const RTCRay& ray) {
+  return {ray.dir_x, ray.dir_y, ray.dir_z};
+}
 /// What a function of ours does to a ray that meets something, where it is only asked whether it does.
 inline void block(RTCRay& ray) {
   ray.tfar = -std::numeric_limits<float>::infinity();

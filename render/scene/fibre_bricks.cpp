@@ -35,7 +35,7 @@ struct FibreBricks::Brick {
 
   /// Whether a ray of this length comes there at all.
   bool isOn(const RTCRay& ray) const {
-    const glm::vec3 inverse(1 / ray.dir_x, 1 / ray.dir_y, 1 / ray.dir_z), origin(ray.org_x, ray.org_y, ray.org_z);
+    const glm::vec3 inverse = 1.0f / embree::directionOf(ray), origin = embree::originOf(ray);
     const glm::vec3 a = (lower - origin) * inverse, b = (upper - origin) * inverse;
     const glm::vec3 enter = glm::min(a, b), leave = glm::max(a, b);  // a NaN (in the plane of a face) loses
     return std::max({0.0f, enter.x, enter.y, enter.z}) <= std::min({ray.tfar, leave.x, leave.y, leave.z});

@@ -89,8 +89,7 @@ void meetFace(const RTCIntersectFunctionNArguments* arguments) {
   auto& context = *reinterpret_cast<EntryContext*>(arguments->context);
   RTCRay& ray = query.ray;
   const std::optional<Crossing> crossing =
-      cross(shell, shell.boundary()[arguments->primID], glm::dvec3(ray.org_x, ray.org_y, ray.org_z),
-            glm::dvec3(ray.dir_x, ray.dir_y, ray.dir_z));
+      cross(shell, shell.boundary()[arguments->primID], embree::originOf(ray), embree::directionOf(ray));
   if (!crossing || crossing->t < ray.tnear || crossing->t > ray.tfar) return;
   if (!crossing->entering) {
     const bool within = crossing->t > context.tMin + 2 * context.shift;  // not merely what it has just left

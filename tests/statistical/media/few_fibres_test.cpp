@@ -6,6 +6,7 @@
 #include "render/optics/fibre_frame.h"
 #include "render/scene/fibre_bvh.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/any_direction.h"
 #include "tests/support/every_sample.h"
 #include "tests/support/fibre_oracle.h"
 #include "tests/support/test_cloth.h"
@@ -25,12 +26,6 @@ Fabric crossedFibres() {
   fabric.drape.width_mm = fabric.drape.height_mm = 5;
   fabric.render.resolution = 1;
   return fabric;
-}
-
-glm::vec3 onSphere(Random& random) {
-  const float z = 2 * random.uniform() - 1, phi = static_cast<float>(2 * kPi) * random.uniform();
-  const float sine = std::sqrt(1 - z * z);
-  return {sine * std::cos(phi), sine * std::sin(phi), z};
 }
 
 constexpr float kFar = 1e9f;
@@ -153,7 +148,7 @@ TEST_F(FewFibres, CrossedOnesAreMetAsASearchOverAllMeetsThem) {
   int rays = 0, first = 0, again = 0, delicate = 0, otherwise = 0;
   for (int i = 0; i < 20000; ++i) {
     const float u = random.uniform(), v = random.uniform();
-    glm::vec3 direction = onSphere(random);
+    glm::vec3 direction = test::anyDirection(random);
     glm::vec3 origin = glm::vec3(0.3f * (u - 0.5f), 0.3f * (v - 0.5f), 0) - 2.0f * direction;
     const test::FibreOracle::Segment* own = nullptr;
     uint64_t ownFibre = 0;
@@ -175,7 +170,7 @@ TEST_F(FewFibres, CrossedOnesAreMetAsASearchOverAllMeetsThem) {
       if (!hit) break;
       ++(own ? again : first);
       origin += hit->distance_mm * direction;
-      direction = onSphere(random);
+      direction = test::anyDirection(random);
       own = expected->segment;
       ownFibre = hit->fibre;
     }

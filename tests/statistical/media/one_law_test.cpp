@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include "render/media/fibre_exit.h"
 #include "render/optics/fibre_frame.h"
 #include "render/scene/fibre_bricks.h"
+#include "tests/support/any_direction.h"
 #include "tests/support/every_medium.h"
 #include "tests/support/mesh_drape.h"
 #include "tests/support/sampled_mean.h"
@@ -57,12 +57,6 @@ Fabric packedCloth(DrapeKind drape) {
   fabric.camera.distance_mm = 8;
   fabric.render.resolution = 4;
   return fabric;
-}
-
-glm::vec3 onUnitSphere(Random& random) {
-  const float z = 2 * random.uniform() - 1, phi = static_cast<float>(2 * kPi) * random.uniform();
-  const float sine = std::sqrt(1 - z * z);
-  return {sine * std::cos(phi), sine * std::sin(phi), z};
 }
 
 /// The transmittance that shadow rays give at the end of flights, which by one law is uniform: any flight is as likely
@@ -139,11 +133,11 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
       std::optional<Collision> met;
       way->collide({&pathRay, 1}, {&met, 1}, counts);
       if (!met) break;
-      const glm::vec3 anywhere = onUnitSphere(random);
+      const glm::vec3 anywhere = test::anyDirection(random);
       const float length_radii = static_cast<float>(random.below(3)) * traverse_radii(*scene->cloth, *met);
       way->leave(0, *met, anywhere, length_radii);
       comparison.add(*way, event, anywhere, false);
-      const glm::vec3 back = glm::normalize(0.3f * onUnitSphere(random) - direction);
+      const glm::vec3 back = glm::normalize(0.3f * test::anyDirection(random) - direction);
       way->leave(0, *met, back, length_radii);
       comparison.add(*way, event, back, true);
       const FibreFrame frame(met->tangent);

@@ -8,17 +8,12 @@
 #include "core/base/units.h"
 #include "render/bvdf/bvdf_counts.h"
 #include "render/bvdf/bvdf_picture.h"
+#include "tests/support/any_direction.h"
 
 namespace loomlight {
 namespace {
 
 constexpr BvdfResolution kSmall{4, 4, 8, 8};
-
-glm::vec3 anyDirection(Random& random) {
-  const float z = 2 * random.uniform() - 1, phi = 2 * static_cast<float>(kPi) * random.uniform();
-  const float sine = std::sqrt(1 - z * z);
-  return {sine * std::cos(phi), sine * std::sin(phi), z};
-}
 
 Bvdf randomTable(uint64_t seed) {
   Random random(seed);
@@ -31,7 +26,7 @@ TEST(Bvdf, IsAProbabilityInAllDirections) {
   const Bvdf table = randomTable(1);
   Random random(2);
   for (int i = 0; i < 10000; ++i) {
-    const float p = table.occlusion(anyDirection(random), anyDirection(random));
+    const float p = table.occlusion(test::anyDirection(random), test::anyDirection(random));
     ASSERT_GE(p, 0.0f);
     ASSERT_LE(p, 1.0f);
   }
@@ -41,7 +36,7 @@ TEST(Bvdf, NothingShadowsLightFromTheEye) {
   const Bvdf table = randomTable(3);
   Random random(4);
   for (int i = 0; i < 1000; ++i) {
-    const glm::vec3 w = anyDirection(random);
+    const glm::vec3 w = test::anyDirection(random);
     EXPECT_EQ(table.occlusion(w, w), 0.0f);
   }
 }
@@ -52,8 +47,8 @@ TEST(Bvdf, SignsOfTangentAndNormalDoNotMatter) {
   const Bvdf table = randomTable(5);
   Random random(6);
   for (int i = 0; i < 1000; ++i) {
-    const glm::vec3 n = anyDirection(random), t = anyDirection(random), wi = anyDirection(random),
-                    wo = anyDirection(random);
+    const glm::vec3 n = test::anyDirection(random), t = test::anyDirection(random), wi = test::anyDirection(random),
+                    wo = test::anyDirection(random);
     const glm::mat3 frame = eventFrame(n, t);
     const float p = table.occlusion(wi * frame, wo * frame);
     for (const auto& [normal, tangent] : {std::pair{n, -t}, std::pair{-n, t}, std::pair{-n, -t}}) {
@@ -87,8 +82,8 @@ TEST(Bvdf, HasNoSeams) {
 TEST(Bvdf, FramesAreRightHandedAndOrthonormal) {
   Random random(9);
   for (int i = 0; i < 1000; ++i) {
-    const glm::vec3 n = anyDirection(random);
-    const glm::mat3 frame = eventFrame(n, i % 10 ? anyDirection(random) : n);  // a fibre that stands up too
+    const glm::vec3 n = test::anyDirection(random);
+    const glm::mat3 frame = eventFrame(n, i % 10 ? test::anyDirection(random) : n);  // a fibre that stands up too
     EXPECT_NEAR(glm::determinant(frame), 1.0f, 1e-5);
     EXPECT_NEAR(glm::dot(frame[0], frame[1]), 0.0f, 1e-5);
     EXPECT_EQ(frame[2], n);
@@ -120,7 +115,7 @@ TEST(BvdfCounts, GiveBackWhatTheyWereTold) {
   BvdfCounts counts(kSmall);
   Random random(10);
   for (int i = 0; i < 400'000; ++i) {
-    const glm::vec3 wi = anyDirection(random), wo = anyDirection(random);
+    const glm::vec3 wi = test::anyDirection(random), wo = test::anyDirection(random);
     const float expected = law.occlusion(wi, wo);
     counts.add(BvdfBin::at(bvdfAngles(wi, wo), kSmall).index(kSmall), random.uniform() < 2 * expected, expected);
   }
@@ -128,7 +123,7 @@ TEST(BvdfCounts, GiveBackWhatTheyWereTold) {
   const Bvdf table = counts.table(law);
   double error = 0;
   for (int i = 0; i < 1000; ++i) {
-    const glm::vec3 wi = anyDirection(random), wo = anyDirection(random);
+    const glm::vec3 wi = test::anyDirection(random), wo = test::anyDirection(random);
     const double difference = table.occlusion(wi, wo) - 2 * law.occlusion(wi, wo);
     error += difference * difference / 1000;
   }
@@ -141,7 +136,7 @@ TEST(BvdfCounts, AnEmptyTableIsTheHotSpotLaw) {
   const Bvdf table = BvdfCounts(kSmall).table(law);
   Random random(11);
   for (int i = 0; i < 100; ++i) {
-    const glm::vec3 wi = anyDirection(random), wo = anyDirection(random);
+    const glm::vec3 wi = test::anyDirection(random), wo = test::anyDirection(random);
     EXPECT_NEAR(table.occlusion(wi, wo), law.occlusion(wi, wo), 1e-6);
   }
 }

@@ -7,6 +7,7 @@
 
 #include "render/media/shell_walk.h"
 #include "render/scene/fibre_bvh.h"
+#include "tests/support/any_direction.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -18,9 +19,7 @@ Ray rayInto(const Shell& shell, Random& random) {
   const auto within = [&] {
     return lower + glm::vec3(random.uniform(), random.uniform(), random.uniform()) * (upper - lower);
   };
-  const float z = 2 * random.uniform() - 1, phi = static_cast<float>(2 * kPi) * random.uniform();
-  const float sine = std::sqrt(1 - z * z);
-  const glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), z);
+  const glm::vec3 direction = test::anyDirection(random);
   return {within() - 30.0f * direction, direction};
 }
 

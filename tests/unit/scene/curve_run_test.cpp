@@ -9,19 +9,13 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/base/units.h"
+#include "tests/support/any_direction.h"
 
 namespace loomlight {
 namespace {
 
 constexpr float kRadius = 0.006f;  // of a fine fibre, mm
 constexpr int kRunPoints = CurveRun::kSegments + 1;
-
-glm::vec3 onSphere(Random& random) {
-  const float z = 2 * random.uniform() - 1, phi = static_cast<float>(2 * kPi) * random.uniform();
-  const float sine = std::sqrt(1 - z * z);
-  return {sine * std::cos(phi), sine * std::sin(phi), z};
-}
 
 /// A curve of two runs, the second one of three segments.
 class Curve {
@@ -33,11 +27,11 @@ class Curve {
   /// Segments are of half a radius to 70, as in the wardrobe, and turn by up to some 60 degrees, as hardly a fibre
   /// does.
   static Curve random(Random& random) {
-    std::vector<glm::vec3> points{0.05f * onSphere(random)};
-    glm::vec3 direction = onSphere(random);
+    std::vector<glm::vec3> points{0.05f * test::anyDirection(random)};
+    glm::vec3 direction = test::anyDirection(random);
     while (points.size() < 8) {
       points.push_back(points.back() + 0.5f * kRadius * std::pow(140.0f, random.uniform()) * direction);
-      direction = glm::normalize(direction + 0.8f * onSphere(random));
+      direction = glm::normalize(direction + 0.8f * test::anyDirection(random));
     }
     return Curve(points);
   }
@@ -132,10 +126,11 @@ TEST(CurveRun, IsMetWhereItsDistanceIsNone) {
     const Curve curve = Curve::random(random);
     const size_t target = static_cast<size_t>(7 * random.uniform());
     const glm::vec3 to = glm::mix(curve.points()[target], curve.points()[target + 1], random.uniform()) +
-                         1.2f * kRadius * onSphere(random);
+                         1.2f * kRadius * test::anyDirection(random);
     // Every other ray goes along a segment, nearly: there rounding counts most.
     const glm::vec3 axis = glm::normalize(curve.points()[target + 1] - curve.points()[target]);
-    const glm::vec3 direction = i % 2 == 0 ? onSphere(random) : glm::normalize(axis + 0.1f * onSphere(random));
+    const glm::vec3 direction =
+        i % 2 == 0 ? test::anyDirection(random) : glm::normalize(axis + 0.1f * test::anyDirection(random));
     const glm::vec3 origin = to - 0.05f * direction;
     const double slack = rounding(curve, direction);
     if (curve.distance(origin) < slack) continue;
@@ -177,12 +172,12 @@ TEST(CurveRun, IsNotMetFromInside) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
     const glm::vec3 within(0.07f * random.uniform(), 0, 0);
-    const glm::vec3 origin = within + 0.9f * kRadius * std::cbrt(random.uniform()) * onSphere(random);
-    EXPECT_FALSE(curve.meet(origin, onSphere(random))) << i;
+    const glm::vec3 origin = within + 0.9f * kRadius * std::cbrt(random.uniform()) * test::anyDirection(random);
+    EXPECT_FALSE(curve.meet(origin, test::anyDirection(random))) << i;
     // A ray along the curve goes through all joints, also just below the surface.
     const glm::vec3 along(random.uniform() < 0.5f ? 1 : -1, 0, 0);
     EXPECT_FALSE(curve.meet(origin, along)) << i;
-    const glm::vec3 below = 0.9999f * kRadius * glm::normalize(glm::cross(along, onSphere(random)));
+    const glm::vec3 below = 0.9999f * kRadius * glm::normalize(glm::cross(along, test::anyDirection(random)));
     EXPECT_FALSE(curve.meet(within + below, along)) << i;
   }
 }
@@ -192,12 +187,12 @@ TEST(CurveRun, HasNoCracksBetweenSegments) {
   Random random(3);
   for (int i = 0; i < 20'000; ++i) {
     // In line, along some direction whose multiples are rounded.
-    const glm::vec3 direction = onSphere(random);
+    const glm::vec3 direction = test::anyDirection(random);
     std::vector<glm::vec3> points;
     for (int k = 0; k < 8; ++k) points.push_back(0.01f * static_cast<float>(k) * direction);
     const Curve curve(points);
     const glm::vec3 joint = points[1 + static_cast<size_t>(6 * random.uniform())];
-    const glm::vec3 side = glm::normalize(glm::cross(direction, onSphere(random)));
+    const glm::vec3 side = glm::normalize(glm::cross(direction, test::anyDirection(random)));
     EXPECT_TRUE(curve.meet(joint + 0.3f * side, -side)) << i;
   }
 }

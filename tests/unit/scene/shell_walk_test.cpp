@@ -7,6 +7,7 @@
 #include "core/base/random.h"
 #include "core/shell/drape_surface.h"
 #include "render/scene/shell_entry.h"
+#include "tests/support/any_direction.h"
 
 namespace loomlight {
 namespace {
@@ -133,12 +134,6 @@ DrapeMesh named(const std::string& name) {
   return makeDrape(drape);
 }
 
-glm::vec3 unitVector(Random& random) {
-  const float z = 2 * random.uniform() - 1, phi = 2 * static_cast<float>(kPi) * random.uniform();
-  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  return {r * std::cos(phi), r * std::sin(phi), z};
-}
-
 class ShellWalk : public testing::TestWithParam<const char*> {
  protected:
   ShellWalk() : shell_(std::make_shared<const Shell>(DrapeSurface(named(GetParam())), 0.4)), entry_(shell_) {}
@@ -174,9 +169,9 @@ class ShellWalk : public testing::TestWithParam<const char*> {
 TEST_P(ShellWalk, CoversTheUnionOfTheTetrahedra) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
-    const glm::vec3 target =
-        shell_->vertices()[random.below(static_cast<uint32_t>(shell_->vertices().size()))] + 0.5f * unitVector(random);
-    const glm::vec3 direction = unitVector(random);
+    const glm::vec3 target = shell_->vertices()[random.below(static_cast<uint32_t>(shell_->vertices().size()))] +
+                             0.5f * test::anyDirection(random);
+    const glm::vec3 direction = test::anyDirection(random);
     expectCovered(target - 60.0f * direction, direction, 2e-3);
   }
 }
@@ -187,7 +182,7 @@ TEST_P(ShellWalk, HasNoCracksAtVerticesAndEdges) {
     const Shell::Tet& tet = shell_->tets()[random.below(static_cast<uint32_t>(shell_->tets().size()))];
     const glm::vec3 a = shell_->vertices()[tet.vertex[random.below(4)]];
     const glm::vec3 b = shell_->vertices()[tet.vertex[random.below(4)]];
-    const glm::vec3 origin = 60.0f * unitVector(random);
+    const glm::vec3 origin = 60.0f * test::anyDirection(random);
     expectCovered(origin, glm::normalize(a - origin), 2e-3);
     expectCovered(origin, glm::normalize(0.5f * (a + b) - origin), 2e-3);
     // Along an edge the union is ill-defined, to the width of rounding; the walk must end all the same.
@@ -200,8 +195,8 @@ TEST_P(ShellWalk, HasNoCracksAtVerticesAndEdges) {
 TEST_P(ShellWalk, EntersOnlyForward) {
   Random random(3);
   for (int i = 0; i < 300; ++i) {
-    const glm::vec3 direction = unitVector(random);
-    const glm::vec3 origin = 30.0f * unitVector(random);
+    const glm::vec3 direction = test::anyDirection(random);
+    const glm::vec3 origin = 30.0f * test::anyDirection(random);
     const auto hit = entry_.enter(origin, direction, 5.0f, 40.0f);
     if (!hit) continue;
     EXPECT_GE(hit->t, 5.0f);

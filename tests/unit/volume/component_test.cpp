@@ -3,15 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
+#include "tests/support/any_direction.h"
 
 namespace loomlight {
 namespace {
-
-glm::vec3 onSphere(Random& random) {
-  const float z = 2 * random.uniform() - 1, phi = static_cast<float>(2 * kPi) * random.uniform();
-  const float r = std::sqrt(1 - z * z);
-  return {r * std::cos(phi), r * std::sin(phi), z};
-}
 
 Component ofDirection(glm::vec3 m) {
   return Component::encode({.direction = m, .lengthDensity = 1});
@@ -27,7 +22,7 @@ TEST(Component, DirectionIsWithinItsGrid) {
   const double kHalfDiagonal = std::sqrt(2.0 * 3.0) / 4094;
   Random random(1);
   for (int i = 0; i < 200000; ++i) {
-    const glm::vec3 m = onSphere(random), back = ofDirection(m).decode().direction;
+    const glm::vec3 m = test::anyDirection(random), back = ofDirection(m).decode().direction;
     ASSERT_NEAR(glm::length(back), 1, 1e-6);
     ASSERT_LT(sineBetween(m, back), kHalfDiagonal) << m.x << " " << m.y << " " << m.z;
   }
@@ -36,7 +31,7 @@ TEST(Component, DirectionIsWithinItsGrid) {
 TEST(Component, ALineHasOneCode) {
   Random random(2);
   for (int i = 0; i < 100000; ++i) {
-    glm::vec3 m = onSphere(random);
+    glm::vec3 m = test::anyDirection(random);
     if (i % 3 == 0) m = glm::normalize(glm::vec3(m.x, m.y, 0));
     if (i % 7 == 0) m = glm::normalize(glm::vec3(m.x, m.y, 1e-5f * m.z));
     const Component code = ofDirection(m);
