@@ -21,27 +21,18 @@ FibreLayer::FibreLayer(std::function<void()> wake, std::function<void(Traceable)
           Backlog::newest, Priority::picture) {}
 
 void FibreLayer::lay(std::shared_ptr<const Scene> scene, double limit_bytes) {
-  {
-    std::lock_guard lock(mutex_);
-    if (wanted_ && limit_bytes == limit_bytes_ && wanted_->cloth == scene->cloth) return;
-  }
-  post(std::move(scene), limit_bytes);
+  const bool isOfThisCloth = newest_.scene && newest_.scene->cloth == scene->cloth;
+  if (!isOfThisCloth || limit_bytes != newest_.limit_bytes) post({std::move(scene), limit_bytes});
 }
 
 void FibreLayer::clear() {
-  {
-    std::lock_guard lock(mutex_);
-    if (!wanted_) return;
-  }
-  post(nullptr, 0);
+  if (newest_.scene) post({});
 }
 
-void FibreLayer::post(std::shared_ptr<const Scene> scene, double limit_bytes) {
-  std::lock_guard lock(mutex_);
-  wanted_ = scene;
-  limit_bytes_ = limit_bytes;
+void FibreLayer::post(Wish wish) {
+  newest_ = wish;
   worker_.forget();
-  worker_.ask({std::move(scene), limit_bytes});
+  worker_.ask(std::move(wish));
 }
 
 FibreLayer::Status FibreLayer::status() const {

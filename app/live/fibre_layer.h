@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "app/live/refinement.h"
@@ -13,7 +12,8 @@ namespace loomlight {
 
 /// Lays the explicit fibres of the newest cloth on a thread of its own, for the reference inset: brick by brick, or
 /// where a cloth is of too many kinds of cells for that, all in one. Says beforehand what they will take, and refuses
-/// where that is more than it may be. No call here waits (destruction does, for what it stops).
+/// where that is more than it may be. No call here waits (destruction does, for what it stops). lay() and clear() are
+/// called one at a time.
 class FibreLayer {
  public:
   struct Status {
@@ -42,14 +42,12 @@ class FibreLayer {
     double limit_bytes = 0;
   };
   using Laying = Worker<Wish, Status>;
-  void post(std::shared_ptr<const Scene> scene, double limit_bytes);
+  void post(Wish wish);
   std::optional<Status> fulfil(const Wish& wish, const Laying::Job& job);
 
   std::function<void(Traceable)> deliver_;
   int threads_;
-  mutable std::mutex mutex_;  ///< of the newest wish
-  std::shared_ptr<const Scene> wanted_;
-  double limit_bytes_ = 0;
+  Wish newest_;
   Laying worker_;  // last: it ends before what it uses is gone
 };
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "core/fabric/model/yarn_count.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/inset_overlay.h"
 #include "ui/widgets/crossing_index.h"
