@@ -84,6 +84,9 @@ free_megabytes() {
 # has_no_room FOLDER: whether its disk is so full that what is written there is lost.
 has_no_room() { (($(free_megabytes "$1") < 1)); }
 
+# is_full FOLDER: whether its disk has so little left that what was just being built there ended for want of it.
+is_full() { (($(free_megabytes "$1") < 50)); }
+
 # need_megabytes N FOLDER WHAT: says it in a line where the disk of the folder has less left.
 need_megabytes() {
   local free
@@ -136,8 +139,10 @@ configure() {
   local log="$build/configure.log"
   mkdir -p "$build"
   if ! cmake -S "$root" --preset "$preset" -DLOOMLIGHT_TESTS="$1" >"$log" 2>&1 </dev/null; then
-    cat "$log" >&2
-    if [[ -f $build/build.ninja ]]; then
+    cat "$log" >&2 || true # a full disk may have kept it from being begun
+    if is_full "$build"; then
+      say "configuring failed: the disk of $build is full"
+    elif [[ -f $build/build.ninja ]]; then
       say "configuring failed; where the system has changed since it last succeeded, $(afresh)"
     else
       say "configuring failed"
@@ -153,7 +158,7 @@ build_targets() {
   [[ -x $build/app/loomlight ]] || say "building with $jobs jobs, this takes a few minutes the first time"
   if ! said=$(NINJA_STATUS='[%f/%t] ' ninja -C "$build" -j "$jobs" "$@" </dev/null 2>&1 |
     sed -u '/no work to do/d; /Re-checking globbed/d; /Entering directory/d; w /dev/stderr'); then
-    if (($(free_megabytes "$build") < 50)); then
+    if is_full "$build"; then
       say "building failed: the disk of $build is full"
     elif [[ $said == *"no known rule to make it"* || $said == *"CMake Error"* ]]; then
       say "building failed; where the system has changed since $build was made, $(afresh)"

@@ -174,6 +174,12 @@ class AppRun(SmallTree):
                 self.assertEqual((done.returncode, done.stdout), (1, ""))
                 self.assertRegex(done.stderr.splitlines()[-1], f"^loomlight: {end}$")
 
+    def test_a_disk_that_fills_up_while_configuring_is_named(self):
+        self.configured_for(self.folder)
+        self.tool("cmake", "echo 'CMake Error: No space left on device'; exit 1")
+        self.df_says(9)
+        self.assertRegex(self.run_script("tests/run").stderr, r"\nloomlight: configuring failed: the disk of .* is full\n\Z")
+
     def configured_for(self, tree):
         """As if it had been configured when the tree was there."""
         (self.folder / ".build/release").mkdir(parents=True)
