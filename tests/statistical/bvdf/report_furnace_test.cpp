@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "core/fabric/model/choice_names.h"
 #include "render/media/report_medium.h"
 #include "render/media/volume_medium.h"
 #include "render/optics/fibre_frame.h"
@@ -18,12 +20,18 @@ namespace {
 // The report's mode does not keep the furnace, and says so: light that comes straight is seen through the BVDF, light
 // that goes on through the volume. That is all it gains or loses: radiance 1 and E[V_bvdf - V_volume] at the first
 // fibre, here with a BVDF that sees no shadow within the cell. The white light is looked for at every event.
-class ReportFurnace : public testing::TestWithParam<DrapeKind> {};
+struct Case {
+  DrapeKind drape;
+  int resolution;
+};
+
+class ReportFurnace : public testing::TestWithParam<Case> {};
 
 TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
   const test::WhiteLight white;
   Fabric fabric = test::whiteCotton();
-  fabric.drape.kind = GetParam();
+  fabric.drape.kind = GetParam().drape;
+  fabric.render.resolution = GetParam().resolution;
   fabric.drape.radius_mm = 5;
   white.shineOn(fabric);
   const auto scene = test::sceneOf(fabric);
@@ -60,7 +68,16 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
   EXPECT_TRUE(test::isWithinNoise(radiance.mean(), 1 + gain.mean(), error, 2));
 }
 
-INSTANTIATE_TEST_SUITE_P(OnADrape, ReportFurnace, testing::Values(DrapeKind::flat, DrapeKind::cylinder));
+INSTANTIATE_TEST_SUITE_P(OnADrape, ReportFurnace,
+                         testing::Values(Case{DrapeKind::flat, 8}, Case{DrapeKind::flat, 4},
+                                         Case{DrapeKind::cylinder, 8}, Case{DrapeKind::cylinder, 2},
+                                         Case{DrapeKind::sphere, 8}, Case{DrapeKind::folds, 8},
+                                         Case{DrapeKind::cushion, 4}, Case{DrapeKind::skirt, 8}),
+                         [](const testing::TestParamInfo<Case>& info) {
+                           const auto drape = static_cast<size_t>(info.param.drape);
+                           return std::string(ChoiceNames<DrapeKind>::names[drape]) + "_" +
+                                  std::to_string(info.param.resolution);
+                         });
 
 }  // namespace
 }  // namespace loomlight

@@ -86,8 +86,11 @@ class LawComparison {
                                : seen(std::numeric_limits<float>::infinity());
     strata_[2 * static_cast<size_t>(std::min(events, kEvents - 1)) + static_cast<size_t>(back)].add(value);
     all_.add(value);
+    ended_ += static_cast<int>(flight.has_value());
   }
   const test::SampledMean& all() const { return all_; }
+  /// How many flights met a fibre; those that meet none of an empty way say one half whatever the law is.
+  int ended() const { return ended_; }
   const std::array<test::SampledMean, kStrata>& strata() const { return strata_; }
 
  private:
@@ -97,6 +100,7 @@ class LawComparison {
   TraceCounts counts_;
   std::array<test::SampledMean, kStrata> strata_;
   test::SampledMean all_;
+  int ended_ = 0;
 };
 
 class OneLaw : public testing::TestWithParam<Case> {};
@@ -151,6 +155,8 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
     EXPECT_TRUE(test::isWithinNoise(seen.mean(), 0.5, seen.standardError(), runs));
   };
   expectOneHalf(comparison.all());
+  EXPECT_GT(comparison.ended(), paths);  // of the flights from every path's events
+  EXPECT_LT(comparison.all().standardError(), 0.004);
   if (isNear) {
     EXPECT_GT(scene->cloth->fibres->made(), 0u);
   }
