@@ -97,8 +97,8 @@ int numberInPalette(const Fabric& fabric, int yarn, WifPalette& palette, const s
   for (const auto& [number, colour] : palette.colours) taken.insert(number);
   const std::optional<int> free = freeWifNumber(taken);
   if (!free)
-    throw InputError(fmt::format("{}: COLOR TABLE: expected a free number up to {} for another colour, got none", file,
-                                 kMaxWifNumber));
+    throw InputError(fmt::format("{}: [COLOR TABLE]: expected a free number up to {} for another colour, got none",
+                                 file, kMaxWifNumber));
   const Rgb shown = fibreReflectance(fibre);
   palette.colours[*free] = palette.nearest(srgbFromLinear(shown));
   return *free;

@@ -3,7 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/fabric/model/wif_origin.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/unit/fabric/wif/wif_drafts.h"
 
 namespace loomlight {
@@ -64,6 +69,16 @@ TEST(WifLimits, TooManyShaftsAreRefusedByNumber) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "y.wif: draft.shafts: expected a whole number from 0 to 4096, got 5000");
   }
+}
+
+TEST(WifLimits, AColourBeyondTheLastNumberIsRefusedByItsSection) {
+  Fabric fabric = imported(twillFile());
+  auto full = std::make_shared<WifOrigin>(*fabric.wif);
+  for (int number = 1; number <= kMaxWifNumber; ++number) full->rest.palette.colours.try_emplace(number, 0, 0, 0);
+  fabric.wif = full;
+  fabric.fibres[fabric.yarns[fabric.weftYarn(0)].fibre].absorption_per_mm = Rgb(9, 4, 1);
+  EXPECT_EQ(test::messageOf<InputError>([&] { wifFromFabric(fabric, "y.wif"); }),
+            "y.wif: [COLOR TABLE]: expected a free number up to 65536 for another colour, got none");
 }
 
 }  // namespace
