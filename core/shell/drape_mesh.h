@@ -17,6 +17,7 @@ struct DrapeMesh {
   std::vector<glm::vec2> uv_mm;
   std::vector<glm::uvec3> triangles;
   std::vector<std::string> repairs;  ///< what was mended or left out, in words for the user
+  std::string name = "drape";        ///< in messages: the file that it is from, or the part of the fabric
 };
 
 /// The surface a fabric asks for: generated or loaded. z is up; it is centred at the origin.

@@ -43,6 +43,7 @@ class Repair {
       : file_(file), source_(mesh), uvScale_(uvScale) {}
 
   DrapeMesh run() {
+    out_.name = file_;
     if (source_.triangles.empty()) throw InputError(fmt::format("{}: expected a mesh with triangles, got none", file_));
     centrePositions();
     keepTriangles();
@@ -317,7 +318,8 @@ DrapeMesh repairMesh(const std::string& file, const MeshFile& mesh, double uvSca
 
 DrapeMesh loadDrapeMesh(const std::string& file, double uvScale_mm) {
   if (!(uvScale_mm > 0 && uvScale_mm <= 1e6))
-    throw InputError(fmt::format("drape.uv_scale_mm: expected a number above 0 and up to 1e6, got {:g}", uvScale_mm));
+    throw InputError(
+        fmt::format("{}: drape.uv_scale_mm: expected a number above 0 and up to 1e6, got {:g}", file, uvScale_mm));
   return repairMesh(file, readMeshFile(file), uvScale_mm);
 }
 

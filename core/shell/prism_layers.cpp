@@ -133,13 +133,14 @@ class Thinning {
     }
     if (thinned > 0)
       layers_.repairs.push_back(
-          fmt::format("{} of {} points bend more sharply than cloth {:.3g} mm thick can; it is thinned there, to "
+          fmt::format("{}: {} of {} points bend more sharply than cloth {:.3g} mm thick can; it is thinned there, to "
                       "{:.0f} % at the least",
-                      thinned, total, 2 * halfThickness_, 100 * thinnest));
+                      mesh_.name, thinned, total, 2 * halfThickness_, 100 * thinnest));
     const size_t lost = mesh_.triangles.size() - layers_.triangles.size();
     if (lost > 0)
-      layers_.repairs.push_back(fmt::format(
-          "{} of {} triangles are creased too sharply to carry cloth and are left out", lost, mesh_.triangles.size()));
+      layers_.repairs.push_back(
+          fmt::format("{}: {} of {} triangles are creased too sharply to carry cloth and are left out", mesh_.name,
+                      lost, mesh_.triangles.size()));
   }
 
   const DrapeMesh& mesh_;

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -99,7 +101,10 @@ Shell::Shell(const DrapeSurface& surface, double halfThickness_mm) : repairs_(su
   halfThickness_mm_ = static_cast<float>(halfThickness_mm);
   const PrismLayers layers = offsetLayers(mesh, surface.welded, halfThickness_mm);
   repairs_.insert(repairs_.end(), layers.repairs.begin(), layers.repairs.end());
-  if (layers.triangles.empty()) throw InputError("drape: no triangle of the mesh can carry cloth of this thickness");
+  if (layers.triangles.empty())
+    throw InputError(
+        fmt::format("{}: expected triangles that can carry cloth {:.3g} mm thick; all {} are creased too sharply",
+                    mesh.name, 2 * halfThickness_mm, mesh.triangles.size()));
 
   vertices_.reserve(2 * mesh.positions.size());
   for (size_t i = 0; i < mesh.positions.size(); ++i) {

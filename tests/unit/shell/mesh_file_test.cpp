@@ -143,7 +143,7 @@ TEST_F(MeshFiles, RefusesWhatIsNoMesh) {
   EXPECT_THROW(loadDrapeMesh(folder_.file("none.obj"), 1), InputError);
   std::filesystem::create_directory(folder_.path() / "folder.obj");
   EXPECT_THROW(loadDrapeMesh(folder_.file("folder.obj"), 1), InputError);
-  EXPECT_THAT(failure("a.obj", kQuad, 0), HasSubstr("drape.uv_scale_mm"));
+  EXPECT_THAT(failure("a.obj", kQuad, 0), HasSubstr("a.obj: drape.uv_scale_mm: expected"));
   EXPECT_THAT(failure("a.obj", kQuad, 1e6), HasSubstr("expected cloth of at most"));
   EXPECT_THAT(failure("a.obj", "v 0 0 0\nv 1e6 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"),
               HasSubstr("mesh of at most"));
@@ -172,6 +172,14 @@ TEST_F(MeshFiles, RefusesNumbersThatAreNoneInBinaryFiles) {
   std::string bytes = binaryPly(false);
   bytes[bytes.size() - 4] = 77;  // the last index
   EXPECT_THAT(failure("a.ply", bytes), AllOf(HasSubstr("names vertex 77"), HasSubstr("the file has 3")));
+}
+
+TEST_F(MeshFiles, AreNamedWhereTheirClothIsTooThick) {
+  DrapeMesh mesh = load("a.obj", kQuad, 2);
+  for (glm::vec3& normal : mesh.normals) normal = -normal;
+  const DrapeSurface creased(mesh);
+  EXPECT_THAT(test::messageOf<InputError>([&] { Shell(creased, 0.1); }),
+              HasSubstr("a.obj: expected triangles that can carry cloth 0.2 mm thick; all 2 are creased"));
 }
 
 TEST_F(MeshFiles, AsksForTextureCoordinates) {

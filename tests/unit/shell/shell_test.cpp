@@ -239,7 +239,7 @@ TEST(Shell, SharpBendsAreThinnedUntilNothingIsInsideOut) {
   const double half = 1.0;  // on a radius of 0.6: the inner layer would pass the axis
   const Shell shell(DrapeSurface(cylinder(3, 3, 0.6)), half);
   ASSERT_EQ(shell.repairs().size(), 1u);
-  EXPECT_THAT(shell.repairs()[0], testing::HasSubstr("thinned"));
+  EXPECT_THAT(shell.repairs()[0], testing::AllOf(testing::StartsWith("drape: "), testing::HasSubstr("thinned")));
   for (const Shell::Tet& tet : shell.tets()) ASSERT_GT(glm::determinant(tet.toCloth), 0);
   // Still the whole cloth, to its two faces.
   for (size_t i = 0; i < shell.tets().size(); ++i)
