@@ -42,8 +42,7 @@ Palette paletteFromAse(std::string_view bytes, const std::string& source) {
   Palette palette;
   for (uint32_t left = file.u32(); left > 0; --left) {
     const uint16_t kind = file.u16();
-    const size_t length = file.u32();
-    BigEndian block(file.bytes(length), source);
+    BigEndian block = file.block(file.u32());
     if (kind == kColour) readColour(block, palette);
     if (kind == kGroup && palette.name.empty()) palette.name = block.text(block.u16());
   }

@@ -19,13 +19,21 @@ class BigEndian {
   BigEndian(std::string_view bytes, const std::string& source) : bytes_(bytes), source_(source) {}
 
   bool atEnd() const { return at_ == bytes_.size(); }
-  std::string place() const { return fmt::format("{}: byte {}", source_, at_); }
+  std::string place() const { return fmt::format("{}: byte {}", source_, begin_ + at_); }
 
   std::string_view bytes(size_t count) {
     if (count > bytes_.size() - at_)
       throw InputError(fmt::format("{}: expected {} bytes more; the file ends", place(), count));
     at_ += count;
     return bytes_.substr(at_ - count, count);
+  }
+
+  /// So many bytes by themselves; places in them are still those in the file.
+  BigEndian block(size_t count) {
+    const size_t begin = begin_ + at_;
+    BigEndian inner(bytes(count), source_);
+    inner.begin_ = begin;
+    return inner;
   }
 
   uint32_t whole(size_t size) {
@@ -39,15 +47,17 @@ class BigEndian {
 
   /// UTF-16 of so many units, a zero at its end among them.
   std::string text(size_t units) {
+    const std::string begin = place();
     std::string_view raw = bytes(2 * units);
     while (raw.ends_with(std::string_view("\0\0", 2))) raw.remove_suffix(2);
     if (raw.empty()) return {};
-    return decodeText("\xFE\xFF" + std::string(raw), source_).text;
+    return decodeText("\xFE\xFF" + std::string(raw), begin).text;
   }
 
  private:
   std::string_view bytes_;
   const std::string& source_;
+  size_t begin_ = 0;  ///< of the bytes in the file
   size_t at_ = 0;
 };
 

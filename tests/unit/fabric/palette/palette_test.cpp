@@ -171,7 +171,11 @@ TEST(PaletteFile, ThatIsMistakenIsRefusedWithItsPlace) {
   EXPECT_THAT(complaint(aseFile().substr(0, 60), "a.ase"), HasSubstr("the file ends"));
   EXPECT_THAT(complaint("ASEF" + big(1, 2) + big(0, 2) + big(0, 4), "a.ase"), HasSubstr("there are none"));
   EXPECT_THAT(complaint("ASEF" + big(1, 2) + big(0, 2) + big(1, 4) + aseColour("x", "RGB ", {1, 7, 0}), "a.ase"),
-              HasSubstr("a.ase: byte"));
+              HasSubstr("a.ase: byte 24: expected red, green and blue"));
+  EXPECT_THAT(
+      complaint("ASEF" + big(1, 2) + big(0, 2) + big(1, 4) + aseColour(std::string(1, '\0') + "x", "RGB ", {1, 1, 1}),
+                "a.ase"),
+      HasSubstr("a.ase: byte 20: expected a text"));
   EXPECT_THAT(complaint(acoFile().substr(0, 30), "a.aco"), HasSubstr("the file ends"));
   EXPECT_THAT(complaint("GIMP Palette\n1 2\n", "a.gpl"), HasSubstr("line 2"));
   EXPECT_THAT(complaint("GIMP Palette\n1 2 256 x\n1 2 999 x\n", "a.gpl"), HasSubstr("line 3"));
