@@ -62,8 +62,9 @@ RawSwatch swatchOf(const std::string& name, const pugi::xml_node& spectrum,
     if (word.empty()) break;
     const std::optional<double> value = swatchNumber(word);
     if (!value || swatch.values.size() == kMostSwatchValues)
-      throw InputError(fmt::format("{}: {}: expected at most {} numbers in ReflectanceSpectrum", source, swatch.place,
-                                   kMostSwatchValues));
+      throw InputError(fmt::format("{}: {}: expected numbers in ReflectanceSpectrum, at most {}; number {} is {}",
+                                   source, swatch.place, kMostSwatchValues, swatch.values.size() + 1,
+                                   quotedText(word)));
     swatch.wavelengths_nm.push_back(first + step * static_cast<double>(swatch.values.size()));
     swatch.values.push_back(*value);
   }

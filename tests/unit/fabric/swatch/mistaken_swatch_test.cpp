@@ -105,7 +105,8 @@ TEST(MistakenSwatch, WithImpossibleValuesSaysWhere) {
   EXPECT_THAT(complaint(with(csvOfColumns(), "0.1500", "inf")), AllOf(HasSubstr("line 2"), HasSubstr("500 nm")));
   EXPECT_THAT(complaint(with(cgatsText(), "0.1500", "0.15x")),
               AllOf(HasSubstr("line 11"), HasSubstr("SPECTRAL_NM500")));
-  EXPECT_THAT(complaint(with(cxfText(), "0.1500", "?")), HasSubstr("navy wool"));
+  EXPECT_THAT(complaint(with(cxfText(), "0.1500", "?")),
+              AllOf(HasSubstr("navy wool"), HasSubstr("expected numbers"), HasSubstr("number 11 is \"?\"")));
   EXPECT_THAT(complaint(with(qtxText(), "15.0000", "1e400")), HasSubstr("line 7"));
 }
 
