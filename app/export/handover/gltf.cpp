@@ -2,6 +2,8 @@
 // the four corners (positions, normals, tangents, texture coordinates), their two triangles, and the pictures as PNG.
 #include "app/export/handover/gltf.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -171,7 +173,12 @@ void putPiece(std::string& to, const char* kind, std::string content, char paddi
 
 }  // namespace
 
-std::string glbBytes(const DigitalCloth& cloth, ClothSide side, const std::string& scratch) {
+void expectGlbSize(size_t bytes, const std::string& file) {
+  if (bytes > std::numeric_limits<uint32_t>::max())
+    throw InputError(fmt::format("{}: expected at most 4 GB, got {} bytes; a smaller --size helps", file, bytes));
+}
+
+std::string glbBytes(const DigitalCloth& cloth, ClothSide side, const std::string& scratch, const std::string& file) {
   Binary binary;
   Pictures pictures(binary, cloth.of(side), scratch);
   const Json material = materialOf(cloth, cloth.of(side), pictures);
@@ -198,8 +205,7 @@ std::string glbBytes(const DigitalCloth& cloth, ClothSide side, const std::strin
   std::string pieces;
   putPiece(pieces, "JSON", jsonText(json), ' ');
   putPiece(pieces, "BIN\0", binary.data(), '\0');
-  if (pieces.size() + 12 > std::numeric_limits<uint32_t>::max())
-    throw InputError(".glb: expected at most 4 GB, got more; a smaller --size helps");
+  expectGlbSize(pieces.size() + 12, file);
   std::string glb = "glTF";
   const std::array<uint32_t, 2> head{2, static_cast<uint32_t>(pieces.size() + 12)};
   glb.append(reinterpret_cast<const char*>(head.data()), 8) += pieces;

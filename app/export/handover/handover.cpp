@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -73,18 +74,21 @@ std::vector<std::string> textureFiles(const SideTextures& front, const SideTextu
 struct Sources {
   const DigitalCloth& cloth;
   const SideTextures &front, &back;
-  std::string name, u3m;  ///< the latter: the text of that file, which its archive holds too
+  std::string folder, name, u3m;  ///< the last: the text of that file, which its archive holds too
   const FileSet& set;
   std::chrono::sys_seconds now;
 
   std::string scratch() const { return set.pathOf("scratch.png"); }
+  /// Where a file will be, in messages.
+  std::string path(const char* ending) const { return (std::filesystem::path(folder) / (name + ending)).string(); }
+  std::string glb(ClothSide side, const char* ending) const { return glbBytes(cloth, side, scratch(), path(ending)); }
 };
 
 std::string archive(const Sources& of) {
   std::vector<ArchivedFile> packed{{of.name + ".u3m", of.u3m}};
   for (const std::string& file : textureFiles(of.front, of.back))
     packed.push_back({file, readFile(of.set.pathOf(file), std::numeric_limits<size_t>::max())});
-  return restrictedZip(packed, of.now);
+  return restrictedZip(packed, of.now, of.path(".u3ma"));
 }
 
 /// The files beside the textures: what each is called after the name, and its bytes.
@@ -93,8 +97,8 @@ constexpr struct {
   std::string (*bytes)(const Sources&);
 } kFiles[] = {{".u3m", [](const Sources& of) { return of.u3m; }},
               {".u3ma", archive},
-              {".glb", [](const Sources& of) { return glbBytes(of.cloth, ClothSide::front, of.scratch()); }},
-              {"_back.glb", [](const Sources& of) { return glbBytes(of.cloth, ClothSide::back, of.scratch()); }},
+              {".glb", [](const Sources& of) { return of.glb(ClothSide::front, ".glb"); }},
+              {"_back.glb", [](const Sources& of) { return of.glb(ClothSide::back, "_back.glb"); }},
               {".mtlx", [](const Sources& of) { return materialXText(of.cloth, ClothSide::front, of.front); }},
               {"_back.mtlx", [](const Sources& of) { return materialXText(of.cloth, ClothSide::back, of.back); }},
               {".jfab", [](const Sources& of) { return jfabText(of.cloth, of.front); }},
@@ -116,7 +120,7 @@ std::optional<HandoverReport> writeHandover(const std::string& folder, const std
   const SideTextures back = writeTextures(set, name, cloth, ClothSide::back, task);
   if (task.stopped()) return std::nullopt;
 
-  const Sources sources{cloth, front, back, name, u3mText(cloth, front, back, now), set, now};
+  const Sources sources{cloth, front, back, folder, name, u3mText(cloth, front, back, now), set, now};
   for (const auto& file : kFiles) {
     writeFileAtomically(set.add(name + file.ending), file.bytes(sources));
     if (task.stopped()) return std::nullopt;

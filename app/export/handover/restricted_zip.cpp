@@ -40,13 +40,13 @@ void putCommon(LittleEndian& to, const ArchivedFile& file, uint32_t crc, const D
 
 }  // namespace
 
-std::string restrictedZip(std::span<const ArchivedFile> files, std::chrono::sys_seconds when) {
+std::string restrictedZip(std::span<const ArchivedFile> files, std::chrono::sys_seconds when, const std::string& name) {
   const DosTime time(when);
   size_t total = 0;
   for (const ArchivedFile& file : files) total += file.content.size() + 2 * file.path.size() + 128;
   if (total > std::numeric_limits<uint32_t>::max() || files.size() > std::numeric_limits<uint16_t>::max())
-    throw InputError(
-        fmt::format(".u3ma: expected at most 4 GB and 65535 files, got {} files with {} bytes", files.size(), total));
+    throw InputError(fmt::format("{}: expected at most 4 GB and 65535 files, got {} files with {} bytes", name,
+                                 files.size(), total));
   LittleEndian archive, directory;
   for (const ArchivedFile& file : files) {
     const auto offset = static_cast<uint32_t>(archive.size());

@@ -8,9 +8,11 @@
 #include <set>
 
 #include "app/export/handover/cloth_facts.h"
+#include "app/export/handover/gltf.h"
 #include "app/export/handover/handover.h"
 #include "app/export/handover/restricted_zip.h"
 #include "app/export/handover/side_pixels.h"
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/weave/jacquard.h"
@@ -192,8 +194,21 @@ TEST_F(HandedOver, TheArchiveHoldsTheSameBytesAndNothingThatItsRulesForbid) {
 
 TEST(RestrictedZip, ChecksumsAreThoseOfZip) {
   const ArchivedFile file{"a.txt", "123456789"};
-  const std::string zip = restrictedZip(std::span(&file, 1), kNoon);
+  const std::string zip = restrictedZip(std::span(&file, 1), kNoon, "a.u3ma");
   EXPECT_EQ(number(zip, 14, 4), 0xCBF43926u);  // the check value of CRC-32
+}
+
+TEST(RestrictedZip, OfTooManyFilesIsRefusedByItsName) {
+  const std::vector<ArchivedFile> files(65536);
+  EXPECT_EQ(test::messageOf<InputError>([&] { restrictedZip(files, kNoon, "out/a.u3ma"); }),
+            "out/a.u3ma: expected at most 4 GB and 65535 files, got 65536 files with 8388608 bytes");
+}
+
+/// One that is as large would need as much memory.
+TEST(Glb, OfMoreThanItsHeadCanSayIsRefusedByItsName) {
+  expectGlbSize(0xFFFFFFFFu, "out/a.glb");
+  EXPECT_EQ(test::messageOf<InputError>([] { expectGlbSize(size_t{1} << 32, "out/a.glb"); }),
+            "out/a.glb: expected at most 4 GB, got 4294967296 bytes; a smaller --size helps");
 }
 
 /// side_maps_test.cpp is about which way these normals lean.
