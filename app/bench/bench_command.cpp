@@ -108,7 +108,7 @@ int run(const BenchCommand& command) {
   Task task;
   task.stop = interrupt.token();
   task.threads = command.threads;
-  Fabric fabric = withOptions(fabricFrom({command.input, {}}), command.options);
+  Fabric fabric = withOptions(fabricFrom({command.input, {}}), command.options, command.input);
   if (!command.options.samplesPerPixel) fabric.render.samplesPerPixel = BenchCommand::kSamples;
   validate(fabric, command.input);
   std::vector<ResolutionRow> rows(command.resolutions.size());

@@ -26,20 +26,20 @@ void applyIlluminant(const IlluminantChoice& choice, Light& light) {
   light.temperature_K = choice.temperature_K.value_or(light.temperature_K);
 }
 
-Fabric inColourwayNamed(const std::string& name, const Fabric& fabric) {
+Fabric inColourwayNamed(const std::string& name, const Fabric& fabric, const std::string& source) {
   std::string names;
   for (const Colourway& colourway : fabric.colourways) {
     if (colourway.name == name) return inColourway(fabric, colourway);
     names += (names.empty() ? "'" : ", '") + colourway.name + "'";
   }
-  throw InputError(fmt::format("colourway '{}': expected {}", name,
+  throw InputError(fmt::format("{}: colourway '{}': expected {}", source, name,
                                names.empty() ? "one of the fabric's, which has none" : "one of " + names));
 }
 
 }  // namespace
 
-Fabric withOptions(Fabric fabric, const FabricOptions& options) {
-  if (!options.colourway.empty()) fabric = inColourwayNamed(options.colourway, fabric);
+Fabric withOptions(Fabric fabric, const FabricOptions& options, const std::string& source) {
+  if (!options.colourway.empty()) fabric = inColourwayNamed(options.colourway, fabric, source);
   RenderSettings& render = fabric.render;
   if (options.size) {
     render.width = options.size->width;

@@ -31,7 +31,8 @@ struct FabricOptions {
 };
 
 /// The fabric with these options. Another drape without a view keeps the camera's angle, and moves the camera to see
-/// all of the piece. Throws InputError where a mesh that is to be seen cannot be used, or there is no such colourway.
-Fabric withOptions(Fabric fabric, const FabricOptions& options);
+/// all of the piece. Throws InputError where a mesh that is to be seen cannot be used, or there is no such colourway in
+/// the fabric of `source`.
+Fabric withOptions(Fabric fabric, const FabricOptions& options, const std::string& source);
 
 }  // namespace loomlight

@@ -28,7 +28,7 @@ std::string stemOf(const std::string& output) {
 }
 
 Fabric patch(const BrdfCommand& command) {
-  Fabric fabric = withOptions(fabricFrom(command.input), command.options);
+  Fabric fabric = withOptions(fabricFrom(command.input), command.options, command.input.file);
   if (!command.options.light) {
     fabric.light = Light{};
     fabric.light.kind = LightKind::directional;

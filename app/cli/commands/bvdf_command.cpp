@@ -80,7 +80,7 @@ int run(const BvdfCommand& command) {
     throw InputError(fmt::format("{}: expected the name of tables (.exr) or of their picture (.png)", command.output));
   for (const std::string& file : {command.output, pictureOf(command.output).string()}) expectWritable(file);
   const Interrupt interrupt;
-  const Fabric fabric = withOptions(fabricFrom(command.input), command.options);
+  const Fabric fabric = withOptions(fabricFrom(command.input), command.options, command.input.file);
   validate(fabric, command.input.file);
   std::shared_ptr<const BvdfSet> set;
   {

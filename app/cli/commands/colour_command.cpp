@@ -58,7 +58,7 @@ Sample measuredSample(const ColourSide& side) {
 
 /// nullopt when stopped.
 std::optional<Sample> wovenSample(const ColourSide& side, const ColourCommand& command) {
-  const Fabric fabric = withOptions(fabricFrom({side.file, command.wif}), side.options);
+  const Fabric fabric = withOptions(fabricFrom({side.file, command.wif}), side.options, side.file);
   const ClothPart part =
       side.part.empty() ? wholePiece() : partNamed(side.part, fabric, NamedParts::yarnsAndFibres, side.file);
   const Interrupt interrupt;

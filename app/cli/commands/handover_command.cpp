@@ -32,7 +32,7 @@ bool handOver(const HandoverPart& part, const HandoverCommand& command, const In
 int run(const HandoverCommand& command) {
   Fabric fabric = fabricFrom(command.input);
   fabric.render.samplesPerPixel = HandoverCommand::kSamples;
-  fabric = withOptions(std::move(fabric), command.options);
+  fabric = withOptions(std::move(fabric), command.options, command.input.file);
   const Interrupt interrupt;
   for (const HandoverPart& part : handoverParts(fabric, command.folder, command.allColourways))
     if (!handOver(part, command, interrupt)) return Interrupt::kExitStatus;

@@ -349,7 +349,7 @@ void printTable(const Fabric& fabric, const Information& of) {
 int run(const InfoCommand& command) {
   const Interrupt interrupt;
   FabricInput input = readInput(command.input);
-  Fabric fabric = withOptions(std::move(input.fabric), command.options);
+  Fabric fabric = withOptions(std::move(input.fabric), command.options, command.input.file);
   validate(fabric, command.input.file);
   const auto named = std::make_shared<const Fabric>(fabric);  // under its own lamps
   fabric.light = Light{};

@@ -74,10 +74,10 @@ Begun goOn(const RenderCommand& command, PicturePart part, const std::shared_ptr
 Begun begin(const RenderCommand& command, const RenderOrder& job) {
   std::optional<PicturePart> part;
   if (!command.resume.empty()) part = readPart(command.resume);
-  Fabric fabric =
-      withOptions(job.input.empty() ? part->info.fabric : fabricFrom({job.input, command.wif}), command.options);
-  if (job.frame) fabric = inFrame(std::move(fabric), command.turn.value_or(Turntable{}), *job.frame);
   const std::string& input = inputOf(command, job);
+  Fabric fabric =
+      withOptions(job.input.empty() ? part->info.fabric : fabricFrom({job.input, command.wif}), command.options, input);
+  if (job.frame) fabric = inFrame(std::move(fabric), command.turn.value_or(Turntable{}), *job.frame);
   validate(fabric, input);
   const RenderSettings settings = fabric.render;
   auto shared = std::make_shared<const Fabric>(std::move(fabric));

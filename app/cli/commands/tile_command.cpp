@@ -17,7 +17,7 @@ int run(const TileCommand& command) {
   Stopwatch whole;
   Fabric fabric = fabricFrom(command.input);
   fabric.render.samplesPerPixel = TileCommand::kSamples;
-  fabric = withOptions(std::move(fabric), command.options);
+  fabric = withOptions(std::move(fabric), command.options, command.input.file);
   std::error_code failed;
   std::filesystem::create_directories(command.folder, failed);
   if (failed)

@@ -14,7 +14,8 @@
 namespace loomlight {
 
 int run(const TraceCommand& command) {
-  auto fabric = std::make_shared<const Fabric>(withOptions(fabricFrom(command.input), command.options));
+  auto fabric =
+      std::make_shared<const Fabric>(withOptions(fabricFrom(command.input), command.options, command.input.file));
   validate(*fabric, command.input.file);
   const RenderSettings& settings = fabric->render;
   const PixelChoice pixel = command.pixel;

@@ -54,7 +54,7 @@ class Render(CommandLineTest):
         fabric = self.fabric(colourways=[{"name": "Rust", "absorption_per_mm": [[1, 8, 20], [2, 9, 30]]}])
         self.assertNotEqual(self.picture(fabric, "--colourway", "Rust"), self.picture(fabric))
         said = self.run_program("render", fabric, "-o", "a.png", "--colourway", "Moss", status=1)
-        self.assertIn("colourway 'Moss': expected one of 'Rust'", said)
+        self.assertIn(f"{fabric}: colourway 'Moss': expected one of 'Rust'", said)
         said = self.run_program("render", self.fabric(), "-o", "a.png", "--colourway", "Moss", status=1)
         self.assertIn("which has none", said)
 

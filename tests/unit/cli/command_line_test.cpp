@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/usage_error.h"
+#include "core/base/error.h"
 #include "core/base/rgb.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {
@@ -85,17 +87,17 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
   EXPECT_TRUE(render.keepSums);
   EXPECT_EQ(render.resume, "c.exr");
   EXPECT_DOUBLE_EQ(render.options.uvScale_mm.value(), 10);
-  EXPECT_DOUBLE_EQ(withOptions(Fabric{}, render.options).drape.grain_deg, -45);
-  EXPECT_DOUBLE_EQ(withOptions(Fabric{}, render.options).light.temperature_K, 2700);
+  EXPECT_DOUBLE_EQ(withOptions(Fabric{}, render.options, "a.json").drape.grain_deg, -45);
+  EXPECT_DOUBLE_EQ(withOptions(Fabric{}, render.options, "a.json").light.temperature_K, 2700);
 }
 
 // A law without the estimator that obeys it would change nothing.
 TEST(CommandLine, AnEventLawMeansNoEstimator) {
   const auto law = parsed<RenderCommand>({"render", "a.json", "-o", "b.png", "--event-law", "report"});
-  EXPECT_EQ(withOptions(Fabric{}, law.options).render.estimator, Estimator::none);
+  EXPECT_EQ(withOptions(Fabric{}, law.options, "a.json").render.estimator, Estimator::none);
   const auto both =
       parsed<RenderCommand>({"render", "a.json", "-o", "b.png", "--event-law", "report", "--estimator", "loomlight"});
-  EXPECT_EQ(withOptions(Fabric{}, both.options).render.estimator, Estimator::loomlight);
+  EXPECT_EQ(withOptions(Fabric{}, both.options, "a.json").render.estimator, Estimator::loomlight);
 }
 
 TEST(CommandLine, WhatIsNotGivenIsLeftToTheFabric) {
@@ -103,11 +105,18 @@ TEST(CommandLine, WhatIsNotGivenIsLeftToTheFabric) {
   Fabric fabric;
   fabric.render.samplesPerPixel = 5;
   fabric.camera.distance_mm = 17;
-  const Fabric same = withOptions(fabric, render.options);
+  const Fabric same = withOptions(fabric, render.options, "a.json");
   EXPECT_EQ(same.render.samplesPerPixel, 5);
   EXPECT_EQ(same.camera.distance_mm, 17);
   EXPECT_EQ(same.light.kind, fabric.light.kind);
   EXPECT_EQ(render.threads, 0);
+}
+
+TEST(CommandLine, AColourwayThatIsNotThereIsRefusedByTheFabricsFile) {
+  FabricOptions options;
+  options.colourway = "Moss";
+  EXPECT_EQ(test::messageOf<InputError>([&] { withOptions(Fabric{}, options, "a.json"); }),
+            "a.json: colourway 'Moss': expected one of the fabric's, which has none");
 }
 
 TEST(CommandLine, ASkyHasItsSunAboveTheHorizon) {
@@ -116,9 +125,9 @@ TEST(CommandLine, ASkyHasItsSunAboveTheHorizon) {
   fabric.light.elevation_deg = -30;
   FabricOptions options;
   options.light = parseLight("--light", "ibl");
-  EXPECT_GT(withOptions(fabric, options).light.elevation_deg, 0);
+  EXPECT_GT(withOptions(fabric, options, "a.json").light.elevation_deg, 0);
   options.light = parseLight("--light", "directional");
-  EXPECT_EQ(withOptions(fabric, options).light.elevation_deg, -30);
+  EXPECT_EQ(withOptions(fabric, options, "a.json").light.elevation_deg, -30);
 }
 
 TEST(CommandLine, InfoConvertAndBench) {
