@@ -22,7 +22,7 @@ Fabric fabricInTexts(const std::map<std::string, std::string>& texts, const std:
   if (found == texts.end())
     throw InputError(fmt::format("{}: expected the metadata '{}' that Loomlight writes into its pictures, found none",
                                  file, kFabricKey));
-  return workingNames(fabricFromJson(found->second, file), file);
+  return workingNames(fabricFromJson(found->second, fmt::format("{}: {}", file, kFabricKey)), file);
 }
 
 std::map<std::string, std::string> exrTexts(const Film& film, const Fabric& fabric, const std::string& file) {

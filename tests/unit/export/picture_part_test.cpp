@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/export/merge_parts.h"
+#include "app/export/picture.h"
 #include "core/base/error.h"
 #include "tests/support/scratch_folder.h"
 
@@ -87,6 +88,12 @@ TEST_F(PictureParts, WithAnotherThingForATextAreDamaged) {
               file + ": expected the metadata 'loomlight.part' as Loomlight writes it, got something else")
         << other;
   }
+}
+
+TEST(FabricInAPicture, ThatIsMistakenIsToldByItsPlaceInTheFile) {
+  const std::map<std::string, std::string> texts{{"loomlight.fabric", R"({"loomlight_version": 1, "press": "flat"})"}};
+  EXPECT_THAT(test::messageOf<InputError>([&] { fabricInTexts(texts, "a.exr"); }),
+              testing::StartsWith("a.exr: loomlight.fabric: press: expected a number"));
 }
 
 }  // namespace
