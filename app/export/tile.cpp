@@ -187,7 +187,7 @@ std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem
   const TileExtent extent = tileExtent(fabric, order.joinTwist);
   const int side = order.longestSide > 0 ? order.longestSide : usualTileSide(fabric, extent);
   const auto tile = std::make_shared<const Fabric>(tileScene(fabric, extent, side));
-  validate(*tile, "the tile");
+  validate(*tile, fabric.name + ": the tile");
   const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task, extent.tiling());
   if (!picture) return std::nullopt;
   Task naming = task;

@@ -59,7 +59,7 @@ class TileStudio {
   /// False when stopped.
   bool build(const Task& task) {
     const auto first = std::make_shared<const Fabric>(sceneOf(ClothSide::front));
-    validate(*first, "the tile");
+    validate(*first, fabric_.name + ": the tile");
     built_ = makeScene(first, partOf(task, 0, 0.5), SceneBase{nullptr, {}, extent_.tiling()});
     medium_ = built_ ? makeMedium(*built_, {limit_bytes_, FibreExtent::oneRepeat}, partOf(task, 0.5, 1)) : nullptr;
     return medium_ != nullptr;

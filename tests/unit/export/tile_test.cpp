@@ -1,12 +1,15 @@
 #include "app/export/tile.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/fabric/model/validate.h"
 #include "core/geometry/cloth/cloth_geometry.h"
 #include "render/transport/make_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/open_cloth.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {
@@ -43,6 +46,16 @@ TEST(Tile, HoldsWholeRepeatsOfWeaveColoursAndTwist) {
   EXPECT_TRUE(extent.twistJoins);
   EXPECT_EQ(extent.ends % geometry.yarn(System::weft, 0).period, 0);
   EXPECT_EQ(extent.picks % geometry.yarn(System::warp, 0).period, 0);
+}
+
+TEST(Tile, ThatIsTooLargeIsRefusedByTheFabricsName) {
+  Fabric fabric = openWeave();
+  fabric.name = "Scrim";
+  fabric.ends_per_cm = fabric.picks_per_cm = 1;
+  fabric.warpSequence = fabric.weftSequence = std::vector<int>(401, 0);  // three times as many threads: 12 m
+  const test::ScratchFolder folder;
+  EXPECT_THAT(test::messageOf<InputError>([&] { makeTile(fabric, folder.file("scrim"), {64, false}, 1e9, {}); }),
+              testing::StartsWith("Scrim: the tile: drape.width_mm: expected"));
 }
 
 TEST(Tile, ThePictureIsExactlyTheTileInTheMiddle) {

@@ -1,10 +1,13 @@
 #include "app/export/handover/side_maps.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
+#include "core/base/error.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/unit/handover/two_sided_cloth.h"
 
 namespace loomlight {
@@ -211,6 +214,14 @@ TEST(SideMaps, NoSeamOfEitherSideIsSeenAmongItsThreads) {
     meets("along", [&](size_t i) { return doubled(i).x; });
     meets("along, y", [&](size_t i) { return doubled(i).y; });
   }
+}
+
+TEST(SideMaps, OfTooLargeATileAreRefusedByTheFabricsName) {
+  Fabric fabric = test::twoSidedCloth();
+  fabric.name = "Scrim";
+  fabric.ends_per_cm = fabric.picks_per_cm = 1;
+  EXPECT_THAT(test::messageOf<InputError>([&] { tileSides(fabric, {1200, 1200, false}, 64, 1e9, {}); }),
+              testing::StartsWith("Scrim: the tile: drape.width_mm: expected"));
 }
 
 TEST(SideMaps, NothingComesOfAStoppedOne) {
