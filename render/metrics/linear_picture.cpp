@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/rgb.h"
+#include "core/base/text.h"
 #include "render/film/pixel_rect.h"
 
 namespace loomlight {
@@ -19,8 +21,20 @@ LinearPicture linearPicture(const Image& image, const std::string& file) {
   return picture;
 }
 
+LinearPicture linearPicture(const Pixels8& pixels) {
+  LinearPicture picture{pixels.width, pixels.height, {}};
+  picture.pixels.reserve(pixelCount(pixels.width, pixels.height));
+  const auto channels = static_cast<size_t>(pixels.channels);
+  for (size_t i = 0; i < pixels.bytes.size(); i += channels) {
+    const auto channel = [&](size_t c) { return static_cast<float>(pixels.bytes[i + c]) / 255; };
+    const float alpha = channels == 4 ? channel(3) : 1;
+    picture.pixels.push_back(alpha * linearFromSrgb({channel(0), channel(1), channel(2)}));
+  }
+  return picture;
+}
+
 LinearPicture readLinearPicture(const std::string& file) {
-  return linearPicture(readExr(file), file);
+  return lowerExtension(file) == ".png" ? linearPicture(readPng(file)) : linearPicture(readExr(file), file);
 }
 
 }  // namespace loomlight

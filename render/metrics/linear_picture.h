@@ -16,7 +16,9 @@ struct LinearPicture {
 
 /// The channels R, G and B. Throws InputError, naming `file`, when one is missing.
 LinearPicture linearPicture(const Image& image, const std::string& file);
-/// From an .exr of ours or anyone's. Throws InputError; a .png holds no linear light and is refused.
+/// The light that a screen gives off for pixels encoded in sRGB.
+LinearPicture linearPicture(const Pixels8& pixels);
+/// From an .exr of ours or anyone's; or a .png, as a screen shows it. Throws InputError.
 LinearPicture readLinearPicture(const std::string& file);
 
 inline bool isFinite(const Rgb& c) {

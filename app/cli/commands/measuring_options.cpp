@@ -167,8 +167,8 @@ void addColour(CLI::App& app, ColourCommand& command) {
 }
 
 void addCompare(CLI::App& app, CompareCommand& command) {
-  app.add_option("PICTURE", command.pictures.picture, "an .exr")->type_name("")->required();
-  app.add_option("REFERENCE", command.pictures.reference, "an .exr of the same size: what it ought to look like")
+  app.add_option("PICTURE", command.pictures.picture, "an .exr, or a .png as a screen shows it")->type_name("")->required();
+  app.add_option("REFERENCE", command.pictures.reference, "one of the same size: what it ought to look like")
       ->type_name("")
       ->required();
   addPair(app, "--again", "picture and reference with other seeds, for a bias without noise", command.again);

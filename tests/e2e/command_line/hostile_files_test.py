@@ -49,7 +49,8 @@ class HostileFiles(CommandLineTest):
         for kind in ("obj", "ply", "off"):
             yield kind, lambda name: ("render", fabric, "-o", "a.png", "--drape", name)
         yield "exr", lambda name: ("render", fabric, "-o", "a.png", "--light", f"ibl:{name}")
-        yield "exr", lambda name: ("compare", name, name)
+        for kind in ("png", "exr"):
+            yield kind, lambda name: ("compare", name, name)
         yield "exr", lambda name: ("render", fabric, "-o", "a.exr", "--resume", name)
 
     def writers(self):

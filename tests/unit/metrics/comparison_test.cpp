@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/unit/metrics/pictures.h"
 
 namespace loomlight {
@@ -131,6 +132,18 @@ TEST(LinearPicture, NeedsRedGreenAndBlue) {
   EXPECT_THAT(complaint([&] { linearPicture(image, "half.exr"); }), HasSubstr("half.exr: expected the channels"));
   image.add("G")[3] = 0.25f;
   EXPECT_EQ(linearPicture(image, "whole.exr").pixels[3], Rgb(0, 0.25f, 0));
+}
+
+TEST(LinearPicture, OfAPngIsTheLightThatAScreenGivesOff) {
+  const test::ScratchFolder folder;
+  writePng(folder.file("opaque.png"), Pixels8{2, 1, 3, {255, 0, 188, 10, 20, 30}});
+  const LinearPicture opaque = readLinearPicture(folder.file("opaque.png"));
+  ASSERT_EQ(opaque.pixels.size(), 2u);
+  EXPECT_EQ(opaque.pixels[0].r, 1);
+  EXPECT_EQ(opaque.pixels[0].g, 0);
+  EXPECT_NEAR(opaque.pixels[0].b, 0.5, 0.004);  // of sRGB, 188 is half of the light of 255
+  writePng(folder.file("half.PNG"), Pixels8{1, 1, 4, {255, 255, 0, 51}});
+  EXPECT_EQ(readLinearPicture(folder.file("half.PNG")).pixels.at(0), Rgb(0.2f, 0.2f, 0)) << "over black";
 }
 
 }  // namespace
