@@ -102,9 +102,11 @@ void Session::follow(Ui& ui) {
   if (const auto message = presets_.follow(!dialogIsOpen())) questions_.say(message->title, message->text);
   if (const auto problem = profiles_.follow()) sayUnopened(*problem);
   const bool panels = settings_.dock.panelsShown;
+  const bool isOpening = viewport_.service().isOpening();
+  inspector_.followPictures(isOpening);
   if (auto dyed = inspector_.follow(document_.fabric(), document_.gesture(), panels))
     document_.edit(std::move(dyed->fabric), inspector_.place(), dyed->gesture);
-  yarnColours_.follow(document_.fabric());
+  if (!isOpening) yarnColours_.follow(document_.fabric());
   const InspectorView& inspector = inspector_.view();
   viewport_.follow(document_.fabric(), inspector.yarn, inspector.visibilityShown && panels, settings_.limits,
                    {draft_.view().back, settings_.draft.longFloat_mm});
@@ -267,6 +269,7 @@ void Session::readKeys() {
 void Session::startOver(Document document) {
   document_.startOver(std::move(document));
   viewport_.leaveFlat();
+  viewport_.service().open();
   draft_.startOver();
   inspector_.startOver();
   yarnColours_.forget();

@@ -157,7 +157,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job)
 
 /// Says how far a build is, now and then: a quick one says nothing. `told`: when that was last.
 void LiveRenderer::Workers::tellProgress(double fraction, Clock::time_point& told) {
-  constexpr std::chrono::milliseconds kTelling{40};
+  constexpr std::chrono::milliseconds kTelling{120};
   {
     std::lock_guard lock(mutex);
     const auto now = Clock::now();

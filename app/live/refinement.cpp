@@ -21,11 +21,12 @@ namespace loomlight {
 namespace {
 
 /// The side of a bucket, in pixels: whole tiles of the film, each of which one thread records, and so many that it
-/// takes no longer than a pass may; but not so few that lanes run empty.
+/// takes no longer than a pass may; but not so few that lanes run empty. Those of a coarse pass are as large as any:
+/// the few paths that it is told its cost by were traced in lanes that did run empty.
 int bucketSide(double pixelsInBudget, int divider) {
-  constexpr int kFewest = 4, kMost = 8, kFewestOfCoarse = 2;  // tiles a side
+  constexpr int kFewest = 4, kMost = 8;  // tiles a side
   const int tiles = std::clamp(static_cast<int>(std::sqrt(pixelsInBudget)) / PathRecords::kTile, kFewest, kMost);
-  return PathRecords::kTile * std::max(kFewestOfCoarse, tiles / divider);
+  return PathRecords::kTile * (divider > 1 ? kMost : tiles);
 }
 
 glm::vec4 light(const Film& film, int x, int y) {
@@ -147,8 +148,9 @@ bool Refinement::advance(const Task& task) {
   isHitsTurn_ = !hitsNext;
   if (hitsNext) {
     const uint32_t before = shared_->hits();
+    const bool showed = shared_->shows();
     const bool complete = shared_->addHits(std::min(hitsWanted(), before + kHitsAtOnce), task, passBudget_s(history_));
-    isNews_ = shared_->hits() > before;
+    isNews_ = shared_->hits() > before || shared_->shows() != showed;
     spent_s_ += secondsSince(start_) - history_.seconds;
     return complete;
   }
@@ -367,8 +369,10 @@ bool Refinement::hasDetail() const {
   return history_.samples > 0 || sharesLight();
 }
 
+/// What a moved picture shows is finer than first fibres of some pixels.
 bool Refinement::sharesLight() const {
-  return shared_ && shared_->shows() && history_.samples < SharedLight::kFilmAlone;
+  const bool isMoved = standIn_ && standIn_->isMoved();
+  return shared_ && shared_->shows() && (shared_->hits() > 0 || !isMoved) && history_.samples < SharedLight::kFilmAlone;
 }
 
 /// For the display, light that repeats share; a fine picture that stands in gives way to it as to the film.

@@ -24,6 +24,7 @@ namespace loomlight {
 /// | the picture before           | StandIn, where a better medium has come | young      | replaced sample by sample |
 /// | borrowed visibility          | VisibilityWorker, of similar yarns      | any        | the bake has more rays    |
 /// | light that repeats share     | SharedLight: Frame::shared              | coarse+    | SharedLight::kFilmAlone   |
+/// | first fibres of neighbours   | FirstHits::standForAll()                | coarse     | each pixel has its own    |
 /// | less noise where none shared | despeckle(), denoise(): Frame::helped   | young      | kClearSamples             |
 /// | less noise, if asked for     | denoise(): Frame::denoised              | any        | switched off              |
 enum class PreviewQuality : uint8_t {

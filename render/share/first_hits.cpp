@@ -9,7 +9,8 @@
 
 // How it works. Of the first fibre of a path (first_fibres.h) the number of its cell of light is kept. Strips of rows
 // are traced in parallel and only look cells up; cells that are new are added afterwards, strip by strip in order, so
-// that their numbers do not depend on the threads.
+// that their numbers do not depend on the threads. The first of all are those of every second pixel of every second
+// row: a picture of half the resolution is there in a quarter of the time.
 
 namespace loomlight {
 namespace {
@@ -58,16 +59,18 @@ FirstHits::FirstHits(int width, int height)
 bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task,
                       double budget_s) {
   const auto start = std::chrono::steady_clock::now();
+  const bool stoodForAll = standForAll(), isHurried = budget_s < std::numeric_limits<double>::infinity();
   while (have_ < perPixel) {
     if (nextRow_ == 0) coming_ = perPixel;
     if (!traceBand(scene, medium, cells, task)) return false;
-    if (secondsSince(start) > budget_s) break;
+    const bool isSeenFirst = standForAll() && !stoodForAll;
+    if (isHurried && (isSeenFirst || secondsSince(start) > budget_s)) break;
   }
   return true;
 }
 
 bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& cells, const Task& task) {
-  const int end = std::min(height_, nextRow_ + kBandRows);
+  const int end = std::min(height_, nextRow_ + kBandRows), step = standForAll() ? 1 : 2;
   const CameraRays camera(scene.fabric->camera, width_, height_);
   std::vector<Strip> strips(static_cast<size_t>((end - nextRow_ + kRows - 1) / kRows));
   parallelFor(strips.size(), task.threads, [&](size_t number) {
@@ -75,11 +78,15 @@ bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& ce
     FirstFibres fibres(scene, medium, camera);
     std::vector<PixelSample> samples;
     const int top = nextRow_ + static_cast<int>(number) * kRows;
-    for (int y = top; y < std::min(end, top + kRows); ++y) {
+    for (int y = top; y < std::min(end, top + kRows); y += step) {
       samples.clear();
-      for (int x = 0; x < width_; ++x)
-        for (uint32_t i = have_; i < std::min(coming_, have_ + most_ - counts_[pixelAt(x, y)]); ++i)
+      for (int x = 0; x < width_; x += step) {
+        const bool isInQuarter = have_ == 0 && x % 2 == 0 && y % 2 == 0;
+        const uint32_t has = isInQuarter && hasQuarter_ ? 1 : have_;
+        const uint32_t wanted = step == 2 ? 1 : coming_;
+        for (uint32_t i = has; i < std::min(wanted, has + most_ - counts_[pixelAt(x, y)]); ++i)
           samples.push_back({x, y, kFirstSample + i});
+      }
       if (!fibres.trace(samples, task)) return;
       lookUp(samples, fibres, cells, strips[number]);
     }
@@ -91,7 +98,11 @@ bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& ce
       put(pixelAt(hit.x, hit.y), hit.cell == FirstHits::kNew ? cells.add(*fresh++) : hit.cell);
   }
   nextRow_ = end < height_ ? end : 0;
-  if (nextRow_ == 0) have_ = coming_;
+  if (nextRow_ > 0) return true;
+  if (step == 2)
+    hasQuarter_ = true;
+  else
+    have_ = coming_;
   return true;
 }
 

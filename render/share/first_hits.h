@@ -32,10 +32,13 @@ class FirstHits {
   int width() const { return width_; }
   int height() const { return height_; }
   uint32_t perPixel() const { return have_; }  ///< that have been traced for every pixel
-  uint32_t most() const { return most_; }      ///< that a pixel keeps
-  /// Traces so many for every pixel in all, and makes their cells; a pixel keeps kMost of them at most. Where that
-  /// takes longer than `budget_s`, some bands of rows, and the next call goes on. False when stopped: then it has those
-  /// that it had.
+  /// Whether at least one pixel of each two by two has some, which stand for those of the others as long as they have
+  /// none.
+  bool standForAll() const { return have_ > 0 || hasQuarter_; }
+  uint32_t most() const { return most_; }  ///< that a pixel keeps
+  /// Traces so many for every pixel in all, and makes their cells; a pixel keeps kMost of them at most. The first
+  /// are of a quarter of the pixels. Where there is a budget, `budget_s`, it ends when they are there, and where it
+  /// takes longer, after some bands of rows; the next call goes on. False when stopped: then it has those that it had.
   bool trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task,
              double budget_s = std::numeric_limits<double>::infinity());
   /// Another one, of a path that has been traced for its light; forgotten where the pixel has enough.
@@ -48,7 +51,7 @@ class FirstHits {
   static uint32_t missed(bool isThrough) { return isThrough ? kThrough : kPast; }
   /// A cell, kPast or kThrough each.
   std::span<const uint32_t> of(int x, int y) const {
-    const size_t pixel = pixelAt(x, y);
+    const size_t own = pixelAt(x, y), pixel = counts_[own] > 0 ? own : pixelAt(x / 2 * 2, y / 2 * 2);
     return {&cells_[pixel * most_], counts_[pixel]};
   }
   size_t pixelAt(int x, int y) const { return pixelIndex(x, y, width_); }
@@ -60,6 +63,8 @@ class FirstHits {
   uint32_t most_, have_ = 0;
   uint32_t coming_ = 0;  ///< that every pixel has when the round under way is done
   int nextRow_ = 0;      ///< of that round
+  /// Each pixel of every second row and column has its first.
+  bool hasQuarter_ = false;
   std::vector<uint32_t, ZeroAllocator<uint32_t>> cells_;
   std::vector<uint8_t> counts_;  ///< that each pixel has
 };

@@ -75,8 +75,8 @@ class SharedLight {
   /// pixels are `finer` of its own each way. None when stopped.
   std::optional<KnownView> known(const CoarseFilm& coarse, int finer, const Task& task) const;
 
-  /// Whether there is anything to show.
-  bool shows() const { return hits() > 0 && knows(); }
+  /// Whether there is anything to show, be it at half the resolution.
+  bool shows() const { return hits_->standForAll() && knows(); }
   /// Linear, premultiplied, of the film's size. `coarser`: as for corrected().
   std::vector<glm::vec4> picture(const Film& film, std::span<const CoarseFilm> coarser, int threads) const;
 

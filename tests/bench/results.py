@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Puts the pages of `loomlight bench accuracy`, `closeup`, `table1`, `figures`, `edit`, `clear`, `converge` and `cloths` together
-as RESULTS.md, with a few small pictures. Suites that are not in RUNS keep the page that they have there, and each says
+"""Puts the pages of `loomlight bench accuracy`, `closeup`, `table1`, `figures`, `edit`, `clear`, `converge` and `cloths`, and
+that of `first_start`, together as RESULTS.md, with a few small pictures. Suites that are not in RUNS keep the page that they have there, and each says
 of which commit it is.
 
     tests/bench/results.py --run build/app/loomlight RUNS    measures first: two hours on two idle cores
@@ -27,9 +27,11 @@ SUITES = {
     "clear": (*CLEAR, "open"),
     "clear_large": (*CLEAR, "open,dome", "--share", "on", "--size", "1280x720"),
     "clear_edits": (*CLEAR, "denim,flat,skirt,dome,sky,crossing,twist,colour,light,drape,camera,drag", "--share", "on"),
+    "first_start": ("first_start",),
     "converge": ("converge",),
     "cloths": ("cloths",),
 }
+OWN_PROGRAMS = ("first_start",)  # beside this one, not suites of `bench`
 TITLES = {"clear_large": "## Large pictures of every cloth", "clear_edits": "## Every edit of one cloth"}  # instead of those that the suite writes
 PICTURES = ("accuracy_plain_filament", "accuracy_raw_denim", "closeup_denim_raw", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
 LARGEST_BYTES = 100_000
@@ -42,7 +44,8 @@ def commit():
 
 def measure(program, runs):
     for name, suite in SUITES.items():
-        subprocess.run((program, "bench", *suite, "-o", runs / name), check=True)
+        words = (HERE / name, program, runs / name) if name in OWN_PROGRAMS else (program, "bench", *suite, "-o", runs / name)
+        subprocess.run(words, check=True)
         (runs / name / "commit").write_text(commit() + "\n")
 
 

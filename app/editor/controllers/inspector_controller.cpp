@@ -64,7 +64,6 @@ void InspectorController::drawColourDifference(Ui& ui, const std::shared_ptr<con
 
 std::optional<InspectorController::Dyed> InspectorController::follow(const std::shared_ptr<const Fabric>& fabric,
                                                                      uint64_t gesture, bool isShown) {
-  pictures_.follow();
   followBooks();
   if (view_.yarn != lookedAt_) before_ = std::exchange(lookedAt_, view_.yarn);
   if (view_.page != InspectorView::Page::fibre || !isShown) return std::nullopt;

@@ -48,6 +48,8 @@ class InspectorController {
   };
   /// At the end of a frame: asks the workers for what was drawn.
   std::optional<Dyed> follow(const std::shared_ptr<const Fabric>& fabric, uint64_t gesture, bool isShown);
+  /// The same for the small pictures, of which none is begun while they are `held`.
+  void followPictures(bool held) { pictures_.follow(held); }
 
   /// Opens the page of fibres and wants of the yarn, or without one of what is looked at, that the cloth reflects as
   /// was measured. The yarn is looked at from then on, and dyed alone.

@@ -23,11 +23,11 @@ ImTextureID Thumbnails::of(const std::string& name, const std::shared_ptr<const 
   return shown.texture->id();
 }
 
-void Thumbnails::follow() {
+void Thumbnails::follow(bool held) {
   const bool same = std::equal(
       wanted_.begin(), wanted_.end(), requested_.begin(), requested_.end(),
       [](const ThumbnailOrder& a, const ThumbnailOrder& b) { return a.name == b.name && a.fabric == b.fabric; });
-  if (!same) {
+  if (!same && !held) {
     requested_ = wanted_;
     worker_.request(requested_);
   }

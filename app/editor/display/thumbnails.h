@@ -20,8 +20,8 @@ class Thumbnails {
   /// The newest picture of that name, null until there is one, which soon is a sketch; it may be of the fabric before
   /// an edit for a moment.
   ImTextureID of(const std::string& name, const std::shared_ptr<const Fabric>& fabric);
-  /// At the end of a frame: hands what it asked for to the worker.
-  void follow();
+  /// At the end of a frame: hands what it asked for to the worker, unless that is to wait.
+  void follow(bool held = false);
 
  private:
   struct Shown {

@@ -17,8 +17,8 @@ class SidePictures {
   ImTextureID closeUp(const std::shared_ptr<const Fabric>& fabric, int yarn, float scale);
   /// Of the fabric as it is, then of each of its colourways; of that size in pixels.
   std::vector<ImTextureID> colourways(const std::shared_ptr<const Fabric>& fabric, ImVec2 size);
-  /// At the end of a frame.
-  void follow() { thumbnails_.follow(); }
+  /// At the end of a frame. None are begun while they are `held`.
+  void follow(bool held) { thumbnails_.follow(held); }
 
  private:
   Thumbnails thumbnails_;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/base/stopwatch.h"
 #include "core/fabric/weave/turned_over.h"
 #include "render/display/booth.h"
 #include "render/display/changed_rect.h"
@@ -48,7 +49,14 @@ bool ViewService::take(bool showsDifference) {
   if (!newest || newest == frame_) return false;
   upload(*newest);
   frame_ = std::move(newest);
+  const bool isFine = frame_->divider == 1 && (frame_->shared || frame_->samples > 0);
+  if (isFine && frame_->generation == generation_) opened_.reset();
   return true;
+}
+
+bool ViewService::isOpening() const {
+  constexpr double kPatience_s = 3;
+  return opened_ && secondsSince(*opened_) < kPatience_s && rivals_.none() && status().error.empty();
 }
 
 /// Of the picture what is new: while a pass comes part by part most of it stays, and crossings seldom change at all.

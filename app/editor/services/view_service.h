@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <bitset>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -61,6 +62,11 @@ class ViewService {
   VisibilityWorker::Status visibilityStatus() const { return visibility_.status(); }
   const BakedVisibility* visibility() const { return shownVisibility_.get(); }
 
+  /// Another cloth has been opened: until there is a picture of it at full resolution, or that takes long, the
+  /// processors are for nothing else.
+  void open() { opened_ = Clock::now(); }
+  bool isOpening() const;
+
   /// Whether the picture is of this very fabric, looked at so, and no first look.
   bool shows(const std::shared_ptr<const Fabric>& fabric, const ClothView& view) const;
   /// Of the picture, at fractions of its window's width and height from the top left.
@@ -75,6 +81,7 @@ class ViewService {
   VisibilityModel visibilityModel(int yarn) const;
 
  private:
+  using Clock = std::chrono::steady_clock;
   void upload(const Frame& newest);
   void takeInset(bool showsDifference);
   void followPicture(const ViewState& state);
@@ -88,6 +95,7 @@ class ViewService {
   ViewState state_;                                        ///< what was asked for last
   std::shared_ptr<const Fabric> seen_;                     ///< its fabric as it is looked at
   uint64_t generation_ = 0;                                ///< of the picture
+  std::optional<Clock::time_point> opened_{Clock::now()};  ///< null once it is seen
   std::shared_ptr<const BakedVisibility> usedVisibility_;  ///< the tables that the renderer has
 
   std::shared_ptr<const Scene> built_;  ///< the newest cloth

@@ -233,9 +233,10 @@ class Editor:
         self.type(file)
         self.key("Return")
 
-    def screenshot(self, name, widget=None):
-        """Writes a PNG of the window, or of one widget, and returns its file."""
-        file = os.path.join(self.home, name + ".png")
+    def screenshot(self, name, widget=None, kind="png"):
+        """Writes a picture of the window, or of one widget, and returns its file. Packing a png takes the processors for
+        longer than a ppm."""
+        file = os.path.join(self.home, f"{name}.{kind}")
         command = ["import", "-window", "root"]
         if widget:
             x0, y0, x1, y1 = (int(v) for v in self.widgets()[widget])

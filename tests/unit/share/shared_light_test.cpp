@@ -1,5 +1,6 @@
 #include "render/share/shared_light.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,9 @@
 
 namespace loomlight {
 namespace {
+
+using testing::ElementsAre;
+using testing::ElementsAreArray;
 
 constexpr int kWidth = 48, kHeight = 32;
 
@@ -228,6 +232,50 @@ TEST(FirstHits, GoThroughTheClothOrPastIt) {
       }
     EXPECT_GT(through, 8) << "the rays of one pixel: the cloth is open";
   }
+}
+
+TEST(FirstHits, OfAQuarterOfThePixelsStandForTheOthersUntilTheseHaveTheirOwn) {
+  const auto scene = test::sceneOf(cloth(LightKind::dome));
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  CellSums cells, cellsAtOnce;
+  FirstHits hits(kWidth, kHeight), atOnce(kWidth, kHeight);
+  ASSERT_TRUE(atOnce.trace(2, *scene, *medium, cellsAtOnce, threads(2)));
+  EXPECT_EQ(atOnce.perPixel(), 2u);
+
+  constexpr double kOneHour_s = 3600;
+  ASSERT_TRUE(hits.trace(2, *scene, *medium, cells, threads(2), kOneHour_s));
+  EXPECT_TRUE(hits.standForAll());
+  EXPECT_EQ(hits.perPixel(), 0u);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      EXPECT_THAT(hits.of(x, y), ElementsAre(atOnce.of(x / 2 * 2, y / 2 * 2)[0])) << x << ", " << y;
+
+  ASSERT_TRUE(hits.trace(2, *scene, *medium, cells, threads(2), kOneHour_s));
+  EXPECT_EQ(hits.perPixel(), 2u);
+  int other = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      EXPECT_THAT(hits.of(x, y), ElementsAreArray(atOnce.of(x, y))) << x << ", " << y;
+      ASSERT_EQ(hits.of(x, y).size(), 2u);
+      other += hits.of(x, y)[0] != hits.of(x / 2 * 2, y / 2 * 2)[0];
+    }
+  EXPECT_GT(other, kWidth * kHeight / 4) << "most pixels do not show what those beside them show";
+}
+
+TEST(SharedLight, ShowsAPictureOfAQuarterOfThePixelsFirst) {
+  Picture picture(cloth(LightKind::dome));
+  EXPECT_FALSE(picture.light->shows());
+  picture.trace(1, 2);
+  picture.film = Film(kWidth, kHeight);
+  picture.light->moveTo(picture.scene, picture.medium, kWidth, kHeight, Changes{Stage::camera, {}, {}});
+  EXPECT_FALSE(picture.light->shows());
+  ASSERT_TRUE(picture.light->addHits(1, threads(2), 3600));
+  EXPECT_EQ(picture.light->hits(), 0u);
+  ASSERT_TRUE(picture.light->shows());
+  const std::vector<glm::vec4> shown = picture.shown(2);
+  for (size_t y = 0; y < kHeight; ++y)
+    for (size_t x = 0; x < kWidth; ++x)
+      EXPECT_EQ(shown[y * kWidth + x], shown[y / 2 * 2 * kWidth + x / 2 * 2]) << x << ", " << y;
 }
 
 /// How much nearer a picture of one sample is to a converged one, where light is shared: a share of squared errors.
