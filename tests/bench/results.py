@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Puts the pages of `loomlight bench accuracy`, `closeup`, `table1`, `figures`, `edit`, `clear`, `converge` and `cloths`, and
-that of `first_start`, together as RESULTS.md, with a few small pictures. Suites that are not in RUNS keep the page that they have there, and each says
-of which commit it is.
+"""Puts the pages of `loomlight bench accuracy`, `closeup`, `table1`, `figures`, `edit`, `clear`, `converge` and `cloths`,
+and that of `first_start`, together as RESULTS.md, with a few small pictures. Suites that are not in RUNS keep the page
+that they have there, and each says of which commit it is.
 
     tests/bench/results.py --run build/app/loomlight RUNS    measures first: two hours on two idle cores
     tests/bench/results.py RUNS                              only writes, from the suites that are in RUNS
