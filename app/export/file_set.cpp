@@ -38,17 +38,31 @@ std::optional<FileLock> lock(const fs::path& scratch) {
   return made;
 }
 
+/// All that is in the folder.
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    entries.push_back(it->path());
+  return entries;
+}
+
+/// The lock goes last: a program that is killed meanwhile leaves what the next one still knows for a scratch of it.
+void removeScratch(const fs::path& scratch) {
+  std::error_code ignored;
+  for (const fs::path& entry : entriesOf(scratch))
+    if (entry != lockIn(scratch)) fs::remove_all(entry, ignored);
+  fs::remove_all(scratch, ignored);
+}
+
 /// Removes the scratches of this beginning whose programs were killed.
 void sweep(const fs::path& folder, const std::string& beginning) {
-  std::vector<fs::path> left;
-  std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+  for (const fs::path& entry : entriesOf(folder)) {
     std::error_code unknown;
-    if (it->path().filename().string().starts_with(beginning) && fs::exists(lockIn(it->path()), unknown) &&
-        !FileLock::isHeld(lockIn(it->path())))
-      left.push_back(it->path());
+    if (entry.filename().string().starts_with(beginning) && fs::exists(lockIn(entry), unknown) &&
+        !FileLock::isHeld(lockIn(entry)))
+      removeScratch(entry);
   }
-  for (const fs::path& scratch : left) fs::remove_all(scratch, error);
 }
 
 /// The file that is replaced hands on its permissions. Throws InputError where a link has led to another disk, as files
@@ -77,8 +91,7 @@ FileSet::FileSet(const std::string& folder, const std::string& name) : folder_(f
 }
 
 FileSet::~FileSet() {
-  std::error_code ignored;
-  fs::remove_all(scratch_, ignored);
+  removeScratch(scratch_);
 }
 
 std::string FileSet::add(const std::string& name) {

@@ -1,6 +1,7 @@
 #include "app/export/file_set.h"
 
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -53,6 +54,43 @@ TEST_F(FileSetTest, ThatCannotBePlacedLeavesTheOldFiles) {
   }
   EXPECT_EQ(read("a"), "old");
   EXPECT_EQ(entries(), 2u) << "nothing is left of the set";
+}
+
+/// Names of what is removed from a folder, in that order.
+class Removals {
+ public:
+  explicit Removals(const fs::path& folder) { inotify_add_watch(events_, folder.c_str(), IN_DELETE); }
+  ~Removals() { close(events_); }
+  Removals(const Removals&) = delete;
+  Removals& operator=(const Removals&) = delete;
+
+  std::vector<std::string> take() {
+    alignas(inotify_event) char bytes[1 << 16];
+    const ssize_t length = read(events_, bytes, sizeof bytes);
+    std::vector<std::string> names;
+    for (ssize_t at = 0; at < length;) {
+      const auto* const event = reinterpret_cast<const inotify_event*>(bytes + at);
+      if (event->mask & IN_DELETE) names.emplace_back(event->name);
+      at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
+    }
+    return names;
+  }
+
+ private:
+  int events_ = inotify_init1(IN_NONBLOCK);
+};
+
+// Who is killed while it removes what another killed program has left must not leave what nobody knows any more.
+TEST_F(FileSetTest, RemovesTheLockOfWhatIsLeftLast) {
+  const fs::path left = fs::path(folder()) / ".tile.unfinished-gone00";
+  fs::create_directories(left / "textures");
+  for (const char* name : {"a", "b", "c", "d", ".lock", "e", "f", "g", "h"}) std::ofstream(left / name) << "left";
+  Removals removals(left);
+  const FileSet set(folder(), "tile");
+  EXPECT_FALSE(fs::exists(left));
+  const std::vector<std::string> removed = removals.take();
+  ASSERT_EQ(removed.size(), 10u);
+  EXPECT_EQ(removed.back(), ".lock");
 }
 
 TEST_F(FileSetTest, FollowsLinksAndKeepsPermissions) {
