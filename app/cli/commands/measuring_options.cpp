@@ -167,7 +167,9 @@ void addColour(CLI::App& app, ColourCommand& command) {
 }
 
 void addCompare(CLI::App& app, CompareCommand& command) {
-  app.add_option("PICTURE", command.pictures.picture, "an .exr, or a .png as a screen shows it")->type_name("")->required();
+  app.add_option("PICTURE", command.pictures.picture, "an .exr, or a .png as a screen shows it")
+      ->type_name("")
+      ->required();
   app.add_option("REFERENCE", command.pictures.reference, "one of the same size: what it ought to look like")
       ->type_name("")
       ->required();
