@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -32,8 +33,8 @@ class FirstHits {
   int width() const { return width_; }
   int height() const { return height_; }
   uint32_t perPixel() const { return have_; }  ///< that have been traced for every pixel
-  /// Whether at least one pixel of each two by two has some, which stand for those of the others as long as they have
-  /// none.
+  /// Whether every pixel, or at least that of every second row and column, has some. Those of the pixels about it stand
+  /// for a pixel as long as it has none.
   bool standForAll() const { return have_ > 0 || hasQuarter_; }
   uint32_t most() const { return most_; }  ///< that a pixel keeps
   /// Traces so many for every pixel in all, and makes their cells; a pixel keeps kMost of them at most. The first
@@ -51,8 +52,17 @@ class FirstHits {
   static uint32_t missed(bool isThrough) { return isThrough ? kThrough : kPast; }
   /// A cell, kPast or kThrough each.
   std::span<const uint32_t> of(int x, int y) const {
-    const size_t own = pixelAt(x, y), pixel = counts_[own] > 0 ? own : pixelAt(x / 2 * 2, y / 2 * 2);
+    const size_t pixel = pixelAt(x, y);
     return {&cells_[pixel * most_], counts_[pixel]};
+  }
+  /// What is to be seen there: the pixel's own, or those of the nearest in even rows and columns.
+  template <class Visit>
+  void forEachSeen(int x, int y, const Visit& visit) const {
+    const bool isOwn = counts_[pixelAt(x, y)] > 0;
+    const int right = isOwn ? 0 : x % 2, down = isOwn ? 0 : y % 2;
+    for (int v = y - down; v <= std::min(y + down, height_ - 1); v += 2)
+      for (int u = x - right; u <= std::min(x + right, width_ - 1); u += 2)
+        for (const uint32_t hit : of(u, v)) visit(hit);
   }
   size_t pixelAt(int x, int y) const { return pixelIndex(x, y, width_); }
 

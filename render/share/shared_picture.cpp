@@ -30,12 +30,12 @@ SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int t
   parallelFor(static_cast<size_t>(hits.height()), threads, [&](size_t row) {
     for (int x = 0; x < hits.width(); ++x) {
       const size_t pixel = hits.pixelAt(x, static_cast<int>(row));
-      for (const uint32_t hit : hits.of(x, static_cast<int>(row))) {
+      hits.forEachSeen(x, static_cast<int>(row), [&](uint32_t hit) {
         if (FirstHits::isCell(hit))
           seen.meets(pixel, means[hit]);
         else
           seen.misses(pixel, hit == FirstHits::kThrough);
-      }
+      });
     }
   });
   return seen.picture(threads);
