@@ -70,7 +70,10 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
 }
 
 bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& cells, const Task& task) {
-  const int end = std::min(height_, nextRow_ + kBandRows), step = standForAll() ? 1 : 2;
+  const int end = std::min(height_, nextRow_ + kBandRows);
+  const bool ofQuarter = !standForAll();
+  const int step = ofQuarter ? 2 : 1;
+  const uint32_t wanted = ofQuarter ? 1 : coming_;
   const CameraRays camera(scene.fabric->camera, width_, height_);
   std::vector<Strip> strips(static_cast<size_t>((end - nextRow_ + kRows - 1) / kRows));
   parallelFor(strips.size(), task.threads, [&](size_t number) {
@@ -81,9 +84,7 @@ bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& ce
     for (int y = top; y < std::min(end, top + kRows); y += step) {
       samples.clear();
       for (int x = 0; x < width_; x += step) {
-        const bool isInQuarter = have_ == 0 && x % 2 == 0 && y % 2 == 0;
-        const uint32_t has = isInQuarter && hasQuarter_ ? 1 : have_;
-        const uint32_t wanted = step == 2 ? 1 : coming_;
+        const uint32_t has = traced(x, y);
         for (uint32_t i = has; i < std::min(wanted, has + most_ - counts_[pixelAt(x, y)]); ++i)
           samples.push_back({x, y, kFirstSample + i});
       }
@@ -99,7 +100,7 @@ bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& ce
   }
   nextRow_ = end < height_ ? end : 0;
   if (nextRow_ > 0) return true;
-  if (step == 2)
+  if (ofQuarter)
     hasQuarter_ = true;
   else
     have_ = coming_;

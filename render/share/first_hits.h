@@ -67,6 +67,8 @@ class FirstHits {
   size_t pixelAt(int x, int y) const { return pixelIndex(x, y, width_); }
 
  private:
+  /// Those that a pixel has of the rounds; others may be put() to them.
+  uint32_t traced(int x, int y) const { return have_ == 0 && hasQuarter_ && x % 2 == 0 && y % 2 == 0 ? 1 : have_; }
   bool traceBand(const Scene& scene, const Medium& medium, CellSums& cells, const Task& task);
 
   int width_, height_;
