@@ -7,7 +7,8 @@
 namespace loomlight {
 
 // Which keys are pressed in this frame. Dear ImGui 1.87 gave every key a name and took away the numbers by which 1.86
-// (Debian 12) knows them. Panels and tests ask this file alone, so that they need not know which of the two it is.
+// (Debian 12) knows them. Panels, the window and tests ask this file
+// alone, so that they need not know which of the two it is.
 #if IMGUI_VERSION_NUM >= 18700
 inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
 inline ImGuiKey numberOfKey(ImGuiKey key) {
@@ -31,6 +32,9 @@ inline int numberOfFunctionKey(int n) {
   return 289 + n;  // as GLFW, whose numbers its backend hands on
 }
 #endif
+
+/// Whether Dear ImGui's backend asks which letter the keyboard's layout has on a key; else its window has to.
+inline constexpr bool kAsksForTheLayout = IMGUI_VERSION_NUM >= 18700;
 
 /// A key such as ImGuiKey_Escape went down; with `repeat` also again and again while it is held.
 inline bool keyPressed(ImGuiKey key, bool repeat = false) {

@@ -17,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/units.h"
+#include "ui/widgets/keys.h"
 #include "ui/words/error_words.h"
 
 namespace loomlight {
@@ -76,13 +77,11 @@ Window::Window(const std::string& title, int width, int height, float scale) {
   io.ConfigInputTextCursorBlink = false;  // a sleeping editor would not blink it
   io.MouseDragThreshold = 3;
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
-#if IMGUI_VERSION_NUM < 18700
-  // Later ones ask the keyboard's layout themselves.
-  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int mods) {
-    const int meant = keyOnLayout(key, glfwGetKeyName(key, scancode));
-    ImGui_ImplGlfw_KeyCallback(window, meant, scancode, action, mods);
-  });
-#endif
+  if constexpr (!kAsksForTheLayout)
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int mods) {
+      const int meant = keyOnLayout(key, glfwGetKeyName(key, scancode));
+      ImGui_ImplGlfw_KeyCallback(window, meant, scancode, action, mods);
+    });
   ImGui_ImplOpenGL3_Init("#version 330 core");
   givenScale_ = scale;
   scale_ = wantedScale();

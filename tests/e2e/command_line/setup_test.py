@@ -261,6 +261,64 @@ class TestsRun(SmallTree):
                 self.assertNotIn("passed", done.stderr)
 
 
+class Night(SmallTree):
+    """tests/nightly, which goes on after a failure and says of each part how it ended."""
+
+    SCRIPTS = (".ci/run", "tests/run", "tests/gates", "tests/fuzz/run", "tests/clean_room", "tests/package_room",
+               "tests/arm_room", "tests/farm", "tests/handover/run")
+
+    def setUp(self):
+        super().setUp()
+        shutil.copy(ROOT / "tests/nightly", self.folder / "tests/nightly")
+        for script in self.SCRIPTS:
+            self.ends_with(script, 0)
+
+    def ends_with(self, script, status):
+        file = self.folder / script
+        file.parent.mkdir(exist_ok=True)
+        file.write_text(f'#!/bin/bash\necho "$0 $*" >>calls; exit {status}\n')
+        file.chmod(0o755)
+
+    def night(self, *parts, **environment):
+        (self.folder / "calls").unlink(missing_ok=True)
+        return self.run_script("tests/nightly", *parts, **environment)
+
+    def calls(self):
+        return [line.rstrip() for line in (self.folder / "calls").read_text().splitlines()]
+
+    def test_parts_that_are_named_run_alone(self):
+        done = self.night("tsan", "rooms")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.calls(), ["tests/run --preset tsan", "tests/clean_room --all"])
+        self.assertRegex(done.stdout, r"\Apassed: tests/run --preset tsan \(\d+ s\)\npassed: tests/clean_room --all \(\d+ s\)\n\Z")
+
+    def test_a_part_that_there_is_not_is_told_those_that_there_are(self):
+        done = self.night("tsan", "thread")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        (line,) = done.stderr.splitlines()
+        self.assertIn('"thread" is no part of the night; there are: ci ', line)
+        self.assertFalse((self.folder / "calls").exists())
+
+    def test_it_goes_on_after_a_failure_and_fails(self):
+        self.ends_with("tests/gates", 1)
+        self.ends_with("tests/farm", 77)
+        done = self.night("tidy", "packages", "farm")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(self.calls(), ["tests/gates --all tidy", "tests/package_room", "tests/farm"])
+        self.assertEqual([line.split(":")[0] for line in done.stdout.splitlines()], ["FAILED", "passed", "SKIPPED"])
+
+    def test_what_cannot_be_tried_here_is_no_success(self):
+        self.ends_with("tests/farm", 77)
+        self.assertEqual(self.night("packages", "farm").returncode, 77)
+
+    def test_the_suite_over_and_over_is_in_another_order_each_time(self):
+        twice = {"LOOMLIGHT_REPEATS": "2", "LOOMLIGHT_BUSY": "1"}
+        self.assertEqual(self.night("suites", **twice).returncode, 0)
+        self.assertEqual(self.calls(), ["tests/run --schedule-random"] * 2)
+        self.ends_with("tests/run", 1)
+        self.assertEqual(self.night("suites", **twice).returncode, 1)
+
+
 class RoomScripts(SmallTree):
     ROOMS = ("clean_room", "package_room", "arm_room")
     SCRIPTS = (*ROOMS, "farm")
