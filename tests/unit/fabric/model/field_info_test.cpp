@@ -73,6 +73,17 @@ TEST(FieldTables, CoverEveryMember) {
   EXPECT_EQ(count(Camera{}), 5);
   [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, ru] = RenderSettings{};
   EXPECT_EQ(count(RenderSettings{}), 10);
+  [[maybe_unused]] const auto& [g1, g2, g3, g4, g5, g6, g7, gu] = Draft{};
+  EXPECT_EQ(count(Draft{}), 3) << "threading, tie-up, treadling and liftplan are lists";
+  [[maybe_unused]] const auto& [k1, k2, ku] = Colourway{};
+  EXPECT_EQ(count(Colourway{}), 1) << "its colours are a list";
+  [[maybe_unused]] const auto& [w1, w2, wu] = WifYarn{};
+  EXPECT_EQ(count(WifYarn{}), 2);
+  [[maybe_unused]] const auto& [o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, ou] = WifOrigin{};
+  EXPECT_EQ(count(WifOrigin{}), 7) << "diameters and yarns are lists, and the rest lines";
+  [[maybe_unused]] const auto& [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15, a16, a17, a18, a19,
+                                a20, a21, a22, a23, a24, a25, au] = Fabric{};
+  EXPECT_EQ(count(Fabric{}), 12) << "weave, draft, sequences, kinds and what is beside the cloth are no plain fields";
 }
 
 TEST(FieldTables, ComparisonIgnoresUnknownKeysOnly) {
