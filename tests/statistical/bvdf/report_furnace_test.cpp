@@ -10,6 +10,7 @@
 #include "render/optics/fibre_frame.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_sample.h"
+#include "tests/support/mesh_drape.h"
 #include "tests/support/sampled_mean.h"
 #include "tests/support/test_cloth.h"
 #include "tests/support/white_light.h"
@@ -33,6 +34,11 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
   fabric.drape.kind = GetParam().drape;
   fabric.render.resolution = GetParam().resolution;
   fabric.drape.radius_mm = 5;
+  const test::MeshDrape saddle;
+  if (fabric.drape.kind == DrapeKind::mesh) {
+    saddle.giveTo(fabric);
+    fabric.camera.distance_mm = 8;
+  }
   white.shineOn(fabric);
   const auto scene = test::sceneOf(fabric);
   const BvdfResolution resolution{2, 2, 4, 4};
@@ -72,7 +78,9 @@ INSTANTIATE_TEST_SUITE_P(OnADrape, ReportFurnace,
                          testing::Values(Case{DrapeKind::flat, 8}, Case{DrapeKind::flat, 4},
                                          Case{DrapeKind::cylinder, 8}, Case{DrapeKind::cylinder, 2},
                                          Case{DrapeKind::sphere, 8}, Case{DrapeKind::folds, 8},
-                                         Case{DrapeKind::cushion, 4}, Case{DrapeKind::skirt, 8}),
+                                         Case{DrapeKind::cushion, 4}, Case{DrapeKind::skirt, 8},
+                                         Case{DrapeKind::mesh, 8}, Case{DrapeKind::flat, 1},
+                                         Case{DrapeKind::flat, 16}),
                          [](const testing::TestParamInfo<Case>& info) {
                            const auto drape = static_cast<size_t>(info.param.drape);
                            return std::string(ChoiceNames<DrapeKind>::names[drape]) + "_" +
