@@ -69,6 +69,8 @@ uint64_t LightCellKeys::crossingsAround(int pick, int end) const {
   for (int i = -1; i <= 1; ++i) {
     key = hashCombine(key, geometry_.yarnIndex(System::warp, end + i));
     key = hashCombine(key, geometry_.yarnIndex(System::weft, pick + i));
+    key = hashCombine(key, geometry_.codes().kind(System::warp, end + i));
+    key = hashCombine(key, geometry_.codes().kind(System::weft, pick + i));
   }
   return key;
 }

@@ -31,7 +31,8 @@ bool sameLightCells(const Fabric& before, const Fabric& after);
 /// - level 1: warp or weft, yarn, material, how deeply the thread is dyed, whether the face or the back is seen
 /// - level 2: the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees, and which way
 ///   its ends run; under the headlight, where it lies, in patches of 4 mm
-/// - level 3: which side the yarns cross on here and around (3 x 3), which yarns they are, block of 4 x 4 x 4 voxels
+/// - level 3: which side the yarns cross on here and around (3 x 3), which yarns they are and how they are displaced,
+///   block of 4 x 4 x 4 voxels
 /// - level 4: voxel
 ///
 /// What shade a place is in is not known to its cells, but seen in the film (block_gains.h).

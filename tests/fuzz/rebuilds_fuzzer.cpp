@@ -26,7 +26,7 @@ Fabric reshaped(Fabric fabric, Choices& choices) {
     for (int& index : yarns) index = choices.from(0, 1);
     return yarns;
   };
-  switch (choices.below(15)) {
+  switch (choices.below(16)) {
     case 0:
       fabric.weave = fabric.weave.resized(choices.from(1, 12), choices.from(1, 12));
       break;
@@ -66,6 +66,12 @@ Fabric reshaped(Fabric fabric, Choices& choices) {
     case 12:
       fabric.crowding = choices.from(0, 3);
       break;
+    case 13: {
+      std::vector<double>& spacing = choices.from(0, 1) ? fabric.warpSpacing : fabric.weftSpacing;
+      spacing.resize(static_cast<size_t>(choices.from(0, 3)));
+      for (double& distance : spacing) distance = choices.from(1, 3);
+      break;
+    }
     default: {
       const int pick = choices.from(0, fabric.weave.picks() - 1), end = choices.from(0, fabric.weave.ends() - 1);
       fabric.weave = fabric.weave.with(pick, end, !fabric.weave.at(pick, end));

@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "core/base/units.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/yarn_need.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/list_field.h"
 #include "ui/inspector/mill_rows.h"
 #include "ui/widgets/member_fields.h"
 #include "ui/words/cloth_words.h"
@@ -15,6 +17,20 @@ namespace loomlight {
 namespace {
 
 constexpr const char* kUnknown = words::panels::none;
+
+bool spacingField(Ui& ui, const RowText& text, std::vector<double>& spacing) {
+  const std::string expected =
+      fmt::format(words::clothPage::spacingExpected, kMostSpacing, kSpacingRange.min, kSpacingRange.max);
+  bool changed = false;
+  listField(ui, text, spacingText(spacing), words::clothPage::even, expected, [&](const std::string& typed) {
+    auto wanted = spacingFromText(typed);
+    if (!wanted) return false;
+    changed = *wanted != spacing;
+    spacing = std::move(*wanted);
+    return true;
+  });
+  return changed;
+}
 
 bool settRows(Ui& ui, bool inches, Fabric& fabric) {
   const double cmPerUnit = inches ? kMmPerInch / 10 : 1;
@@ -35,6 +51,8 @@ bool settRows(Ui& ui, bool inches, Fabric& fabric) {
   heading(ui, words::clothPage::sett);
   bool changed = settField(&Fabric::ends_per_cm);
   changed |= settField(&Fabric::picks_per_cm);
+  changed |= spacingField(ui, {"cloth.warp_spacing", words::warpSpacing}, fabric.warpSpacing);
+  changed |= spacingField(ui, {"cloth.weft_spacing", words::weftSpacing}, fabric.weftSpacing);
   changed |= memberField(ui, "cloth", fabric, &Fabric::settCv_percent, 1);
   changed |= memberField(ui, "cloth", fabric, &Fabric::crowding, 1);
   if (inches)

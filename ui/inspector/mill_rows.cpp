@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/fabric/yarn/cloth_states.h"
+#include "ui/inspector/list_field.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/member_fields.h"
 #include "ui/words/cloth_words.h"
@@ -32,24 +33,17 @@ bool figureField(Ui& ui, const RowText& text, const FieldInfo& info, const char*
   return true;
 }
 
-/// A list of ends is taken while it is typed; what is none is refused below the field.
 bool dentingField(Ui& ui, std::vector<int>& endsPerDent) {
-  const RowText text{"mill.ends_per_dent", words::endsPerDent};
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 max(corner.x + ImGui::GetContentRegionAvail().x, corner.y + ImGui::GetFrameHeight());
-  const ImGuiID id = ImGui::GetID(text.id.c_str());
-  std::string typed = dentingText(endsPerDent);
+  const std::string expected = fmt::format(words::mill::dentingExpected, MillData::kMostInDent);
   bool changed = false;
-  if (textField(ui, text, typed)) {
-    if (ui.memory.failed == id) ui.memory.failed = 0;
-    if (const auto dents = dentingFromText(typed)) {
-      changed = *dents != endsPerDent;
-      endsPerDent = *dents;
-    } else {
-      refuseText(ui, id, fmt::format(words::mill::dentingExpected, MillData::kMostInDent));
-    }
-  }
-  showRefusal(ui, id, ImVec2(corner.x + std::floor(kLabelShare * (max.x - corner.x)), corner.y), max);
+  listField(ui, {"mill.ends_per_dent", words::endsPerDent}, dentingText(endsPerDent), "", expected,
+            [&](const std::string& typed) {
+              const auto dents = dentingFromText(typed);
+              if (!dents) return false;
+              changed = *dents != endsPerDent;
+              endsPerDent = *dents;
+              return true;
+            });
   return changed;
 }
 

@@ -10,6 +10,8 @@ namespace clothPage {
 inline constexpr const char* sett = "Sett";
 inline constexpr Word perCm{"Per cm", "Ends and picks on one centimetre"};
 inline constexpr Word perInch{"Per inch", "Ends and picks on one inch"};
+inline constexpr const char* even = "even";
+inline constexpr const char* spacingExpected = "Expected at most {} numbers from {:g} to {:g} between blanks: 1 2";
 inline constexpr const char* finish = "Finish";
 
 // What follows for it

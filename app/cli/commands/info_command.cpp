@@ -12,6 +12,7 @@
 #include "app/cli/volume_json.h"
 #include "core/fabric/json/json_text.h"
 #include "core/fabric/model/finish.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/wif_origin.h"
 #include "core/fabric/model/yarn_count.h"
@@ -168,6 +169,8 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["long_floats"] = longFloatsJson(of.longFloats);
   json["ends_per_cm"] = fabric.ends_per_cm;
   json["picks_per_cm"] = fabric.picks_per_cm;
+  if (!fabric.warpSpacing.empty()) json["warp_spacing"] = fabric.warpSpacing;
+  if (!fabric.weftSpacing.empty()) json["weft_spacing"] = fabric.weftSpacing;
   json["repeat_width_mm"] = fabric.weave.ends() * fabric.warpPitch_mm();
   json["repeat_height_mm"] = fabric.weave.picks() * fabric.weftPitch_mm();
   json["pattern_ends"] = patternEnds(fabric);
@@ -310,6 +313,9 @@ void printTable(const Fabric& fabric, const Information& of) {
   line("interlacings", fmt::format("{}", of.binding.warpInterlacings + of.binding.weftInterlacings), "a repeat");
   fmt::print("\nCloth\n");
   line("sett", fmt::format("{:g} x {:g}", fabric.ends_per_cm, fabric.picks_per_cm), "per cm");
+  for (const auto& [label, spacing] :
+       {std::pair("ends apart", fabric.warpSpacing), {"picks apart", fabric.weftSpacing}})
+    if (!spacing.empty()) line(label, spacingText(spacing), "over each other, repeating");
   printRepeat(fabric, "weave repeat", fabric.weave.ends(), fabric.weave.picks());
   printRepeat(fabric, "pattern repeat", patternEnds(fabric), patternPicks(fabric));
   line("yarn count",
@@ -377,6 +383,7 @@ int run(const InfoCommand& command) {
   information.warnings = std::move(input.warnings);
   for (std::string& warning : warnings(fabric, information.floats, information.longFloats))
     information.warnings.push_back(std::move(warning));
+  for (std::string& remark : geometry.spacingRemarks()) information.warnings.push_back(std::move(remark));
   information.volume = scene->cloth->volume->counts();
   if (std::string none = FibreBricks::whyNone(information.volume); !none.empty())
     information.warnings.push_back(std::move(none));

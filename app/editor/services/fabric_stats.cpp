@@ -135,6 +135,9 @@ FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
   if (!known || stats->longFloats.limit_mm != request.longFloat_mm)
     stats->longFloats = longFloats(*request.fabric, request.longFloat_mm);
   stats->warnings = warnings(*request.fabric, stats->floats, stats->longFloats);
+  if (request.built)
+    for (std::string& remark : request.built->cloth->volume->geometry().spacingRemarks())
+      stats->warnings.push_back(std::move(remark));
   if (std::string none = request.built ? FibreBricks::whyNone(request.built->cloth->volume->counts()) : "";
       !none.empty())
     stats->warnings.push_back(std::move(none));

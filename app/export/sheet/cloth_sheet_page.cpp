@@ -10,6 +10,7 @@
 
 #include "app/export/sheet/cairo_output.h"
 #include "core/base/rgb.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/weave/weave_code.h"
 #include "core/fabric/weave/yarn_order.h"
 #include "core/fabric/weave/yarn_sequence.h"
@@ -157,6 +158,9 @@ class SheetWriter {
             fmt::format("{:.0f} cm finished", options_.width_cm) +
                 (reed_cm ? fmt::format(", {:.0f} cm in the reed", *reed_cm) : ""));
     y = row(x, y, "Ends", fmt::format("{:.0f}", options_.width_cm * fabric_.ends_per_cm));
+    for (const auto& [label, spacing] :
+         {std::pair("Ends apart", fabric_.warpSpacing), {"Picks apart", fabric_.weftSpacing}})
+      if (!spacing.empty()) y = row(x, y, label, spacingText(spacing) + ", over each other, repeating");
     const std::string selvedges =
         selvedgeText(mill, mill.selvedgeYarn ? "yarn " + yarnLetters(*mill.selvedgeYarn) : "");
     if (!selvedges.empty()) y = row(x, y, "Selvedges", selvedges);

@@ -14,6 +14,7 @@
 #include "core/fabric/json/json_text.h"
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/wif_origin.h"
 
@@ -144,6 +145,10 @@ Json colourwaySchema() {
   return colourway;
 }
 
+Json spacingSchema(const char* text) {
+  return listOf(ranged("number", kSpacingRange.min, kSpacingRange.max), text, 0, kMostSpacing);
+}
+
 Json millSchema() {
   Json mill = objectOf<MillData>("What the mill writes beside the draft. No picture depends on it.");
   Json denting = listOf(ranged("integer", 0, MillData::kMostInDent), words::endsPerDent.help, 1, MillData::kMostDents);
@@ -164,6 +169,8 @@ Json wifSchema() {
   };
   wif["properties"]["warp_diameters_mm"] = diameters(fieldInfo(&WifOrigin::warpDiameter_mm), "end");
   wif["properties"]["weft_diameters_mm"] = diameters(fieldInfo(&WifOrigin::weftDiameter_mm), "pick");
+  wif["properties"]["warp_spacing"] = spacingSchema("As the fabric's, which came of the WIF draft.");
+  wif["properties"]["weft_spacing"] = spacingSchema("As the fabric's, which came of the WIF draft.");
   return wif;
 }
 
@@ -181,6 +188,8 @@ Json schema() {
   properties["draft"] = draftSchema();
   properties["warp_sequence"] = listOf(yarn, "The yarn of each end, from the left, repeating: its number, from 0.");
   properties["weft_sequence"] = listOf(yarn, "The yarn of each pick, from the bottom, repeating: its number, from 0.");
+  properties["warp_spacing"] = spacingSchema(words::warpSpacing.help);
+  properties["weft_spacing"] = spacingSchema(words::weftSpacing.help);
   properties["yarns"] = listOf(objectOf<Yarn>("A yarn."), "The yarns, which sequences number from 0.", 1, kMaxKinds);
   properties["fibres"] = listOf(objectOf<Fibre>("A fibre."), "The fibres, which yarns number from 0.", 1, kMaxKinds);
   properties["colourways"] = listOf(colourwaySchema(), "The colourways that the fabric keeps.", 0, kMaxKinds);

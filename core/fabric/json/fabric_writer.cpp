@@ -150,6 +150,8 @@ Json originToJson(const WifOrigin& origin) {
   addFields(json, origin);
   if (!origin.warpDiameters_mm.empty()) json["warp_diameters_mm"] = origin.warpDiameters_mm;
   if (!origin.weftDiameters_mm.empty()) json["weft_diameters_mm"] = origin.weftDiameters_mm;
+  if (!origin.warpSpacing.empty()) json["warp_spacing"] = origin.warpSpacing;
+  if (!origin.weftSpacing.empty()) json["weft_spacing"] = origin.weftSpacing;
   if (!origin.yarns.empty()) json["yarns"] = listToJson(origin.yarns);
   json["lines"] = wifRestLines(origin.rest);
   addUnknown(json, origin.unknown);
@@ -164,6 +166,8 @@ std::string fabricToJson(const Fabric& fabric) {
   addFields(json, fabric);
   json["warp_sequence"] = fabric.warpSequence;
   json["weft_sequence"] = fabric.weftSequence;
+  if (!fabric.warpSpacing.empty()) json["warp_spacing"] = fabric.warpSpacing;
+  if (!fabric.weftSpacing.empty()) json["weft_spacing"] = fabric.weftSpacing;
   json["yarns"] = listToJson(fabric.yarns);
   json["fibres"] = listToJson(fabric.fibres);
   if (!fabric.colourways.empty()) json["colourways"] = colourwaysToJson(fabric.colourways);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/model/yarn_count.h"
 
 namespace loomlight {
@@ -115,6 +116,8 @@ Changes changes(const Fabric& before, const Fabric& after) {
                     between(before.render, after.render) | between(before.mill, after.mill);
   compareMaterials(before, after, changes);
   compareThreads(before, after, changes);
+  if (before.warpSpacing != after.warpSpacing || before.weftSpacing != after.weftSpacing)
+    changes.stages |= kSpacingRange.stages;
   if (!(before.weave == after.weave)) {
     changes.stages |= Stage::shape;
     changes.crossings = true;

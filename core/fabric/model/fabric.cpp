@@ -60,14 +60,15 @@ bool operator==(const WifYarn& a, const WifYarn& b) {
 
 bool operator==(const WifOrigin& a, const WifOrigin& b) {
   return equalFields(a, b) && a.warpDiameters_mm == b.warpDiameters_mm && a.weftDiameters_mm == b.weftDiameters_mm &&
-         a.yarns == b.yarns && a.rest == b.rest;
+         a.warpSpacing == b.warpSpacing && a.weftSpacing == b.weftSpacing && a.yarns == b.yarns && a.rest == b.rest;
 }
 
 bool operator==(const Fabric& a, const Fabric& b) {
   return equalFields(a, b) && a.weave == b.weave && a.draft == b.draft && a.warpSequence == b.warpSequence &&
-         a.weftSequence == b.weftSequence && a.yarns == b.yarns && a.fibres == b.fibres &&
-         a.colourways == b.colourways && a.mill == b.mill && a.drape == b.drape && a.light == b.light &&
-         a.camera == b.camera && a.render == b.render && (a.wif == b.wif || (a.wif && b.wif && *a.wif == *b.wif));
+         a.weftSequence == b.weftSequence && a.warpSpacing == b.warpSpacing && a.weftSpacing == b.weftSpacing &&
+         a.yarns == b.yarns && a.fibres == b.fibres && a.colourways == b.colourways && a.mill == b.mill &&
+         a.drape == b.drape && a.light == b.light && a.camera == b.camera && a.render == b.render &&
+         (a.wif == b.wif || (a.wif && b.wif && *a.wif == *b.wif));
 }
 
 }  // namespace loomlight

@@ -170,7 +170,11 @@ struct Fabric {
   std::optional<Draft> draft;        ///< where present, weave == drawdown(*draft)
   std::vector<int> warpSequence{0};  ///< which yarn each end uses, repeating: indices into yarns
   std::vector<int> weftSequence{0};  ///< which yarn each pick uses
-  double ends_per_cm = 20.0;         ///< 0.2..500
+  /// How far each end is from the next over what others are, repeating: 0..kMostSpacing of them (thread_spacing.h);
+  /// empty: all alike.
+  std::vector<double> warpSpacing;
+  std::vector<double> weftSpacing;  ///< likewise, of picks
+  double ends_per_cm = 20.0;        ///< 0.2..500
   double picks_per_cm = 20.0;
   double settCv_percent = 0;           ///< coefficient of variation of the distances of neighbouring threads, 0..20
   double crowding = 0;                 ///< of threads that float together: 0 even, 1 as relaxed yarns stand, 0..3

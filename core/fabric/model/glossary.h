@@ -181,6 +181,13 @@ inline constexpr Word settCv{
     "Unevenness of sett",
     "How much neighbouring threads differ in their distance, as a coefficient of variation: they wander by some "
     "hundredths of a millimetre, over centimetres. Of finished cloth a few percent; 0 is as even as point paper."};
+inline constexpr Word warpSpacing{
+    "Ends apart",
+    "How far each end lies from the next one, over the other distances: a few numbers that repeat, as 1 2 for ends in "
+    "pairs. Nothing: all alike. The sett stays. Yarns that have no room to lie so close lie as close as they can."};
+inline constexpr Word weftSpacing{"Picks apart",
+                                  "How far each pick lies from the next one, over the other distances: a few numbers "
+                                  "that repeat. Nothing: all alike."};
 inline constexpr Word crowding{
     "Crowding",
     "How far threads that float side by side draw together, away from the neighbour that a crossing thread parts them "

@@ -10,7 +10,7 @@ namespace loomlight {
 
 /// What a mill writes beside the draft: reed, selvedges, and the setts that it has measured before finishing and after
 /// washing. No picture depends on it: that is of the finished cloth, at Fabric::ends_per_cm and picks_per_cm, its ends
-/// evenly apart. A number is 0 where it is not said.
+/// as far apart as Fabric::warpSpacing has them. A number is 0 where it is not said.
 struct MillData {
   static constexpr int kMostInDent = 64, kMostDents = 4096;
 

@@ -4,6 +4,7 @@
 
 #include "core/fabric/model/check.h"
 #include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/model/wif_origin.h"
 #include "core/fabric/model/yarn_count.h"
 
@@ -27,6 +28,12 @@ void checkIndex(int index, size_t count, const char* what, const FieldPath& path
 void checkSequence(const std::vector<int>& sequence, size_t yarns, const FieldPath& path) {
   checkSize(sequence.size(), kMaxSequence, "yarn numbers", path);
   for (size_t i = 0; i < sequence.size(); ++i) checkIndex(sequence[i], yarns, "yarn", path.at(i));
+}
+
+void checkSpacing(const std::vector<double>& spacing, const FieldPath& path) {
+  if (spacing.size() > static_cast<size_t>(kMostSpacing))
+    path.reject(fmt::format("at most {} distances", kMostSpacing), fmt::format("{}", spacing.size()));
+  for (size_t i = 0; i < spacing.size(); ++i) check(kSpacingRange, spacing[i], path.at(i));
 }
 
 void checkYarn(const Yarn& yarn, const std::vector<Fibre>& fibres, const FieldPath& path) {
@@ -118,6 +125,8 @@ void checkOrigin(const WifOrigin& origin, const FieldPath& path) {
   };
   checkDiameters(origin.warpDiameters_mm, fieldInfo(&WifOrigin::warpDiameter_mm), path.at("warp_diameters_mm"));
   checkDiameters(origin.weftDiameters_mm, fieldInfo(&WifOrigin::weftDiameter_mm), path.at("weft_diameters_mm"));
+  checkSpacing(origin.warpSpacing, path.at("warp_spacing"));
+  checkSpacing(origin.weftSpacing, path.at("weft_spacing"));
 }
 
 }  // namespace
@@ -160,6 +169,8 @@ void validate(const Fabric& fabric, const std::string& source) {
   }
   checkSequence(fabric.warpSequence, fabric.yarns.size(), path.at("warp_sequence"));
   checkSequence(fabric.weftSequence, fabric.yarns.size(), path.at("weft_sequence"));
+  checkSpacing(fabric.warpSpacing, path.at("warp_spacing"));
+  checkSpacing(fabric.weftSpacing, path.at("weft_spacing"));
   const FieldPath colourways = path.at("colourways");
   if (fabric.colourways.size() > kMaxKinds)
     colourways.reject(fmt::format("at most {} colourways", kMaxKinds), fmt::format("{}", fabric.colourways.size()));

@@ -33,6 +33,7 @@ struct WifOrigin {
   /// Of each thread, repeating, in a system of which the file says something of single threads; empty in others. What
   /// it says is handed back only as long as those threads are as thick as then.
   std::vector<double> warpDiameters_mm, weftDiameters_mm;
+  std::vector<double> warpSpacing, weftSpacing;  ///< as Fabric has them
   /// In the order of the fabric's yarns. A yarn that still has that colour goes out under the number it came with.
   std::vector<WifYarn> yarns;
   WifRest rest;

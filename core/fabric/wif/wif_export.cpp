@@ -9,6 +9,7 @@
 #include "core/base/file.h"
 #include "core/base/rgb.h"
 #include "core/fabric/model/field_path.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/draft_derivation.h"
@@ -23,12 +24,13 @@
 namespace loomlight {
 namespace {
 
-/// Threads after which weave and colours repeat together; the weave's own repeat where that is too many.
-int commonRepeat(int weave, size_t sequence, const char* threads, std::vector<std::string>& remarks) {
+/// Threads after which weave, colours and spacing repeat together; the weave's own repeat where that is too many.
+int commonRepeat(int weave, size_t sequence, size_t spacing, const char* threads, std::vector<std::string>& remarks) {
   const int64_t both = std::lcm(static_cast<int64_t>(weave), static_cast<int64_t>(sequence));
-  if (both <= Weave::kMaxSide) return static_cast<int>(both);
+  const int64_t all = std::lcm(both, static_cast<int64_t>(std::max<size_t>(1, spacing)));
+  if (all <= Weave::kMaxSide) return static_cast<int>(all);
   const int fitting = Weave::kMaxSide / weave * weave;
-  remarks.push_back(fmt::format("Weave and colours repeat together only after {} {}; the file holds {} of them.", both,
+  remarks.push_back(fmt::format("Weave and colours repeat together only after {} {}; the file holds {} of them.", all,
                                 threads, fitting));
   return fitting;
 }
@@ -128,10 +130,21 @@ double tidyCentimetres(double mm) {
   return std::max(1e-6, std::round(mm * 1e5) / 1e6);
 }
 
-/// The sizes that the fabric has: one spacing, and the yarns' diameters.
+const std::vector<double>& spacingOf(const Fabric& fabric, System system) {
+  return system == System::warp ? fabric.warpSpacing : fabric.weftSpacing;
+}
+
+/// The sizes that the fabric has: its spacing, and the yarns' diameters.
 WifSizes ownSizes(const Fabric& fabric, System system, int threads) {
   WifSizes sizes;
-  sizes.spacing = tidyCentimetres(system == System::warp ? fabric.warpPitch_mm() : fabric.weftPitch_mm());
+  const double pitch_mm = system == System::warp ? fabric.warpPitch_mm() : fabric.weftPitch_mm();
+  sizes.spacing = tidyCentimetres(pitch_mm);
+  if (const std::vector<double>& spacing = spacingOf(fabric, system); !displacements(spacing).empty()) {
+    const auto count = static_cast<double>(spacing.size());
+    const double unit_mm = pitch_mm * count / std::accumulate(spacing.begin(), spacing.end(), 0.0);
+    for (int thread = 0; thread < threads; ++thread)
+      sizes.spacings[thread + 1] = tidyCentimetres(unit_mm * spacing[static_cast<size_t>(thread) % spacing.size()]);
+  }
   bool same = true;
   for (int thread = 0; thread < threads; ++thread) {
     const Yarn& yarn = fabric.yarns[system == System::warp ? fabric.warpYarn(thread) : fabric.weftYarn(thread)];
@@ -153,14 +166,15 @@ struct AsRead {
   double threads_per_cm = 0;
   double diameter_mm = 0;
   int threads = 0;
-  std::vector<double> diameters_mm;  ///< as WifOrigin has them
+  std::vector<double> diameters_mm, spacing;  ///< as WifOrigin has them
 };
 
 AsRead asRead(const Fabric& fabric, System system) {
   if (!fabric.wif) return {};
   const WifOrigin& origin = *fabric.wif;
-  if (system == System::warp) return {origin.ends_per_cm, origin.warpDiameter_mm, origin.ends, origin.warpDiameters_mm};
-  return {origin.picks_per_cm, origin.weftDiameter_mm, origin.picks, origin.weftDiameters_mm};
+  if (system == System::warp)
+    return {origin.ends_per_cm, origin.warpDiameter_mm, origin.ends, origin.warpDiameters_mm, origin.warpSpacing};
+  return {origin.picks_per_cm, origin.weftDiameter_mm, origin.picks, origin.weftDiameters_mm, origin.weftSpacing};
 }
 
 /// Whether the threads are as many as were read, and each as thick as it was.
@@ -178,9 +192,10 @@ void setSizes(const Fabric& fabric, System system, int threads, WifSizes& sizes,
   const AsRead read = asRead(fabric, system);
   const bool isWarp = system == System::warp;
   const bool isUntouched = nearly(isWarp ? fabric.ends_per_cm : fabric.picks_per_cm, read.threads_per_cm) &&
-                           nearly(meanDiameter_mm(fabric, system), read.diameter_mm);
+                           nearly(meanDiameter_mm(fabric, system), read.diameter_mm) &&
+                           spacingOf(fabric, system) == read.spacing;
   if (!isUntouched || sizes == WifSizes{}) {
-    if (unevenSpacing(sizes, read.threads, ""))
+    if (unevenSpacing(sizes, read.threads, "", false) && spacingOf(fabric, system).empty())
       remarks.push_back(
           fmt::format("{} lay unevenly in the file that the cloth is from; sett or yarns are others "
                       "now, and all are written at one distance.",
@@ -220,8 +235,10 @@ WifExport wifFromFabric(const Fabric& fabric, const std::string& file) {
   document.title = fabric.name;
   document.notes = linesOf(fabric.description);
   if (fabric.wif) document.rest = fabric.wif->rest;
-  const int ends = commonRepeat(fabric.weave.ends(), fabric.warpSequence.size(), "ends", exported.remarks);
-  const int picks = commonRepeat(fabric.weave.picks(), fabric.weftSequence.size(), "picks", exported.remarks);
+  const int ends = commonRepeat(fabric.weave.ends(), fabric.warpSequence.size(), fabric.warpSpacing.size(), "ends",
+                                exported.remarks);
+  const int picks = commonRepeat(fabric.weave.picks(), fabric.weftSequence.size(), fabric.weftSpacing.size(), "picks",
+                                 exported.remarks);
   document.draft = draftFor(fabric, ends, picks, file, exported.remarks);
   const std::vector<int> numbers = numbersOfYarns(fabric, document.rest.palette, file);
   for (int end = 0; end < ends; ++end) document.warpColours.push_back(numbers[fabric.warpYarn(end)]);

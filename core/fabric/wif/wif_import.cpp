@@ -45,8 +45,10 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
   origin.yarns = dressThreads(fabric, document, import.warnings);
   const int ends = sizedThreads(document.rest.warp, document.ends(), document.named.ends);
   const int picks = sizedThreads(document.rest.weft, document.picks(), document.named.picks);
-  for (const auto& uneven :
-       {unevenSpacing(document.rest.warp, ends, "Ends"), unevenSpacing(document.rest.weft, picks, "Picks")})
+  fabric.warpSpacing = spacingOf(document.rest.warp, document.ends());
+  fabric.weftSpacing = spacingOf(document.rest.weft, document.picks());
+  for (const auto& uneven : {unevenSpacing(document.rest.warp, ends, "Ends", !fabric.warpSpacing.empty()),
+                             unevenSpacing(document.rest.weft, picks, "Picks", !fabric.weftSpacing.empty())})
     if (uneven) import.warnings.push_back(*uneven);
 
   origin.program = fitting(document.program, "name of the program", import.warnings);

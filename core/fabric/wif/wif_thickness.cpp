@@ -4,8 +4,11 @@
 
 #include <algorithm>
 
+#include "core/base/period.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_most_common.h"
+#include "core/fabric/wif/wif_yarns.h"
 
 namespace loomlight {
 namespace {
@@ -101,17 +104,32 @@ void noteGaps(const WifSizes& sizes, System system, int threads, WifWarnings& wa
     note(" SPACING", sizes.spacings, "spacing", fmt::format("{}, and all {}s lie at one distance", kept, thread));
 }
 
-std::optional<WifWarning> unevenSpacing(const WifSizes& sizes, int threads, const char* what) {
+std::vector<double> spacingOf(const WifSizes& sizes, int threads) {
+  Lengths apart = spacings(sizes, threads);
+  if (!varies(apart)) return {};
+  if (saysThicknessBySpacing(thicknesses(sizes, threads), apart)) {
+    const Lengths rooms = apart;
+    for (size_t i = 0; i < rooms.size(); ++i) apart[i] = 0.5 * (rooms[i] + rooms[(i + 1) % rooms.size()]);
+  }
+  apart = relative(std::move(apart));
+  for (double& distance : apart) distance = std::clamp(tidy(distance), kSpacingRange.min, kSpacingRange.max);
+  apart = shortestRepeat(std::move(apart));
+  if (apart.size() == 1 || apart.size() > static_cast<size_t>(kMostSpacing)) return {};
+  return apart;
+}
+
+std::optional<WifWarning> unevenSpacing(const WifSizes& sizes, int threads, const char* what, bool isWoven) {
   const Lengths thick = thicknesses(sizes, threads), apart = spacings(sizes, threads);
   if (!varies(apart)) return std::nullopt;
   const Lengths ratios = relative(apart);
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  const char* const yarns = saysThicknessBySpacing(thick, apart)
-                                ? "; taken as thick and thin, they have yarns of such diameters, and lie"
-                                : "; here they lie";
-  return WifWarning{fmt::format("{} lie {:.3g} to {:.3g} times the usual distance apart in the file{} at one distance, "
-                                "the mean. The file's own spacing is kept for export.",
-                                what, *least, *most, yarns),
+  const char* const yarns =
+      saysThicknessBySpacing(thick, apart) ? "; taken as thick and thin, they have yarns of such diameters" : "";
+  const char* const places =
+      isWoven ? "so too, as far as their yarns leave each other room" : "at one distance, the mean";
+  return WifWarning{fmt::format("{} lie {:.3g} to {:.3g} times the usual distance apart in the file{}; here they lie "
+                                "{}. The file's own spacing is kept for export.",
+                                what, *least, *most, yarns, places),
                     {}};
 }
 

@@ -26,8 +26,13 @@ int sizedThreads(const WifSizes& sizes, int threads, int named);
 /// Says where there are gaps, and what comes of it.
 void noteGaps(const WifSizes& sizes, System system, int threads, WifWarnings& warnings);
 
-/// What a fabric has otherwise than the file because all its threads lie at one distance; nothing where they do so in
-/// the file. `threads` in the file; `what` is what a system's threads are called, "Ends" or "Picks".
-std::optional<WifWarning> unevenSpacing(const WifSizes& sizes, int threads, const char* what);
+/// Fabric::warpSpacing or weftSpacing of these threads: from thread to thread what the file says; but where it says by
+/// spacing which threads are thick, each lies in the middle of its room. Empty where they lie at one distance, or
+/// repeat after more than kMostSpacing threads.
+std::vector<double> spacingOf(const WifSizes& sizes, int threads);
+
+/// What the file says of threads that lie unevenly, and what becomes of that; nothing where they do not. `threads` in
+/// the file; `what` is what a system's threads are called, "Ends" or "Picks"; `isWoven`: whether the fabric has it.
+std::optional<WifWarning> unevenSpacing(const WifSizes& sizes, int threads, const char* what, bool isWoven);
 
 }  // namespace loomlight

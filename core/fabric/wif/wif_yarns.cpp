@@ -231,6 +231,8 @@ std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fab
   };
   origin.warpDiameters_mm = diameters(origin.rest.warp, System::warp);
   origin.weftDiameters_mm = diameters(origin.rest.weft, System::weft);
+  origin.warpSpacing = fabric.warpSpacing;
+  origin.weftSpacing = fabric.weftSpacing;
   return std::make_shared<const WifOrigin>(std::move(origin));
 }
 

@@ -79,6 +79,11 @@ class RunCounter {
   bool changed_ = false;
 };
 
+int64_t patternRepeat(int weave, const std::vector<int>& sequence, const std::vector<double>& spacing) {
+  const int64_t colours = std::lcm(int64_t{weave}, static_cast<int64_t>(sequence.size()));
+  return std::lcm(colours, static_cast<int64_t>(std::max<size_t>(1, spacing.size())));
+}
+
 }  // namespace
 
 CoverFactors coverFactors(const Fabric& fabric) {
@@ -133,11 +138,11 @@ CrossingShape crossingShape(const Fabric& fabric) {
 }
 
 int64_t patternEnds(const Fabric& fabric) {
-  return std::lcm(int64_t{fabric.weave.ends()}, static_cast<int64_t>(fabric.warpSequence.size()));
+  return patternRepeat(fabric.weave.ends(), fabric.warpSequence, fabric.warpSpacing);
 }
 
 int64_t patternPicks(const Fabric& fabric) {
-  return std::lcm(int64_t{fabric.weave.picks()}, static_cast<int64_t>(fabric.weftSequence.size()));
+  return patternRepeat(fabric.weave.picks(), fabric.weftSequence, fabric.weftSpacing);
 }
 
 Binding binding(const Weave& weave) {

@@ -7,12 +7,11 @@
 
 #include "core/base/modulo.h"
 #include "core/base/period.h"
-#include "core/fabric/model/validate.h"
 
 // How it works. A cell's shape depends on five crossings, its own in their middle: three nodes, and the neighbours of
 // each. Reading a row of cells therefore slides a window of five bits, one for each crossing (is this yarn over?),
 // along the yarn; a table of all 32 windows, made when the program is compiled, gives sides and float states of the
-// three nodes at once. A second window holds the classes of the three yarns that are crossed. Where threads crowd a
+// three nodes at once. A second window holds the kinds of the three threads that are crossed. Where threads crowd a
 // third one holds what the crossings of the yarns beside it say: how far the yarn leans to either side there, and how
 // the thread that it crosses floats. All packed together are the code, so a crossing of a jacquard costs few shifts and
 // a look-up.
@@ -47,13 +46,13 @@ int leastCommonMultiple(int a, int b) {
 }
 
 // What one node of a path comes from: the float state in 2 bits, the side in 1, the leaning in 4, the float state of
-// the yarn that is crossed in 2, its class in kClassBits. A cell's shape code has its own class above those of its
-// three nodes.
+// the yarn that is crossed in 2, its kind in kKindBits. A cell's shape code has its own kind above those of its three
+// nodes.
 constexpr int kFloatBits = 3, kOverBit = 4, kLeaningBits = 4, kOtherShift = kFloatBits + kLeaningBits;
-constexpr int kOtherBits = 2, kClassShift = kOtherShift + kOtherBits;
-constexpr int kClassBits = 6, kNodeBits = kClassShift + kClassBits;
+constexpr int kOtherBits = 2, kKindShift = kOtherShift + kOtherBits;
+constexpr int kKindBits = 9, kNodeBits = kKindShift + kKindBits;
 constexpr ShapeCode kThreeNodes = (ShapeCode{1} << (3 * kNodeBits)) - 1;
-static_assert(kFloatStates <= kOverBit && kMaxKinds <= 1 << kClassBits);
+static_assert(kFloatStates <= kOverBit && kMaxThreadKinds <= 1 << kKindBits);
 
 /// What the sides of the yarns before and after one say of a crossing on it.
 struct Beside {
@@ -101,17 +100,17 @@ constexpr auto kFloatCodes = makeFloatCodes();
 
 }  // namespace
 
-CellCodes::CellCodes(const Weave& weave, std::array<std::vector<int>, 2> classes, bool crowded)
-    : weave_(weave), classes_(std::move(classes)), crowded_(crowded) {
+CellCodes::CellCodes(const Weave& weave, std::array<std::vector<int>, 2> kinds, bool crowded)
+    : weave_(weave), kinds_(std::move(kinds)), crowded_(crowded) {
   const int weavePicks =
       smallestPeriod(weave_.picks(), [&](int a, int b) { return sameRow(weave_.row(a), weave_.row(b)); });
   const int weaveEnds = smallestPeriodOfEnds(weave_);
-  repeatEnds_ = leastCommonMultiple(weaveEnds, static_cast<int>(classes_[0].size()));
-  repeatPicks_ = leastCommonMultiple(weavePicks, static_cast<int>(classes_[1].size()));
+  repeatEnds_ = leastCommonMultiple(weaveEnds, static_cast<int>(kinds_[0].size()));
+  repeatPicks_ = leastCommonMultiple(weavePicks, static_cast<int>(kinds_[1].size()));
 }
 
-int CellCodes::geometryClass(System system, int index) const {
-  const std::vector<int>& all = classes(system);
+int CellCodes::kind(System system, int index) const {
+  const std::vector<int>& all = kinds(system);
   return all[wrap(index, static_cast<int>(all.size()))];
 }
 
@@ -121,11 +120,11 @@ void CellCodes::readOf(System system, int across, int along, const WarpOver& war
                        std::span<ShapeCode> codes) const {
   const bool warp = system == System::warp;
   const int alongCount = warp ? weave_.picks() : weave_.ends();
-  const std::vector<int>& others = classes(warp ? System::weft : System::warp);
-  const ShapeCode own = static_cast<ShapeCode>(geometryClass(system, across)) << (3 * kNodeBits);
+  const std::vector<int>& others = kinds(warp ? System::weft : System::warp);
+  const ShapeCode own = static_cast<ShapeCode>(kind(system, across)) << (3 * kNodeBits);
 
   // All slide along the yarn: the sides of the crossings in reach, what those of the yarns beside make of each, which
-  // is one behind as it counts the crossing that is just seen, and the classes of the three yarns that are crossed.
+  // is one behind as it counts the crossing that is just seen, and the kinds of the three threads that are crossed.
   int ahead = wrap(along - kReach, alongCount);
   unsigned sides = 0;
   ShapeCode crowded = 0;
@@ -144,7 +143,7 @@ void CellCodes::readOf(System system, int across, int along, const WarpOver& war
   auto other = static_cast<size_t>(wrap(along - 1, static_cast<int>(others.size())));
   ShapeCode crossed = 0;
   const auto cross = [&] {
-    crossed = (crossed << kNodeBits | static_cast<ShapeCode>(others[other]) << kClassShift) & kThreeNodes;
+    crossed = (crossed << kNodeBits | static_cast<ShapeCode>(others[other]) << kKindShift) & kThreeNodes;
     if (++other == others.size()) other = 0;
   };
   cross();
@@ -193,13 +192,13 @@ CellShape shapeOf(ShapeCode code) {
   const auto nodeAt = [code](int place) {
     const int bits = static_cast<int>(code >> (place * kNodeBits)) & ((1 << kNodeBits) - 1);
     const int floatState = bits & (kOverBit - 1), other = bits >> kOtherShift & ((1 << kOtherBits) - 1);
-    return CellShape::Node{bits >> kClassShift, (bits & kOverBit) != 0, floatState,
-                           other == kAsOwn ? floatState : other, leaningOf(bits)};
+    return CellShape::Node{bits >> kKindShift, (bits & kOverBit) != 0, floatState, other == kAsOwn ? floatState : other,
+                           leaningOf(bits)};
   };
   return {static_cast<int>(code >> (3 * kNodeBits)), nodeAt(2), nodeAt(1), nodeAt(0)};
 }
 
-ShapeCode renamed(System system, ShapeCode code, const ClassNames& names) {
+ShapeCode renamed(System system, ShapeCode code, const KindNames& names) {
   const auto own = static_cast<size_t>(system), crossed = 1 - own;
   const auto name = [](const std::vector<int>& of, ShapeCode number) {
     return static_cast<ShapeCode>(of[static_cast<size_t>(number)]);
@@ -207,8 +206,8 @@ ShapeCode renamed(System system, ShapeCode code, const ClassNames& names) {
   ShapeCode result = name(names[own], code >> (3 * kNodeBits)) << (3 * kNodeBits);
   for (int place = 0; place < 3; ++place) {
     const ShapeCode node = code >> (place * kNodeBits) & ((1 << kNodeBits) - 1);
-    const ShapeCode lying = node & ((1 << kClassShift) - 1);
-    result |= (name(names[crossed], node >> kClassShift) << kClassShift | lying) << (place * kNodeBits);
+    const ShapeCode lying = node & ((1 << kKindShift) - 1);
+    result |= (name(names[crossed], node >> kKindShift) << kKindShift | lying) << (place * kNodeBits);
   }
   return result;
 }

@@ -7,19 +7,20 @@
 
 #include "core/fabric/model/fabric.h"
 #include "core/geometry/cloth/crossing.h"
+#include "core/geometry/cloth/thread_kinds.h"
 #include "core/geometry/yarn/crowding.h"
 
 namespace loomlight {
 
-/// What a yarn does in one crossing cell, as a number: its class, and of the nodes before, in and after the cell the
-/// class that is crossed, on which side, its float state, and which neighbour it leans to. Cells of one code have one
-/// key, up to the phase.
+/// What a yarn does in one crossing cell, as a number: the kind of thread that it is (thread_kinds.h), and of the nodes
+/// before, in and after the cell the kind that is crossed, on which side, its float state, and which neighbour it leans
+/// to. Cells of one code have one key, up to the phase.
 using ShapeCode = uint64_t;
 
 /// A ShapeCode taken apart.
 struct CellShape {
   struct Node {
-    int crossed = 0;  ///< geometry class
+    int crossed = 0;  ///< kind of thread
     bool over = false;
     int floatState = 0;  ///< 0..kFloatStates - 1 (pressing.h)
     int otherState = 0;  ///< likewise, of the yarn that it crosses; where threads do not crowd, taken to be its own
@@ -28,16 +29,16 @@ struct CellShape {
     /// crowd.
     int leaning = 0;
   };
-  int own = 0;  ///< geometry class
+  int own = 0;  ///< kind of thread
   Node previous, here, next;
 };
 CellShape shapeOf(ShapeCode code);
 
-/// Whose geometry classes are whose: [system][class of another cloth] is the class here, -1 of those that the cloth
-/// does not use.
-using ClassNames = std::array<std::vector<int>, 2>;
+/// Whose kinds of threads are whose: [system][kind of another cloth] is the kind here, -1 of those that the cloth does
+/// not use.
+using KindNames = std::array<std::vector<int>, 2>;
 /// What a code of the other cloth is here.
-ShapeCode renamed(System system, ShapeCode code, const ClassNames& names);
+ShapeCode renamed(System system, ShapeCode code, const KindNames& names);
 
 /// A changed crossing changes the codes of cells that are so far away along its two yarns, and where threads crowd
 /// along the yarns beside these, and no others.
@@ -50,18 +51,17 @@ struct YarnCrossings {
   std::span<const uint8_t> own, before, after;
 };
 
-/// Reads the codes of a cloth's cells from its weave and the order of its yarns' classes. The cloth goes on beyond its
-/// edges as its repeat does.
+/// Reads the codes of a cloth's cells from its weave and the order of its kinds of threads. The cloth goes on beyond
+/// its edges as its repeat does.
 class CellCodes {
  public:
-  /// `classes`: by system, those of ends and picks in their shortest repeat. `crowded`: whether yarns lean to their
+  /// `kinds`: by system, those of ends and picks in their shortest repeat. `crowded`: whether yarns lean to their
   /// neighbours, which makes several times as many codes of a large pattern.
-  CellCodes(const Weave& weave, std::array<std::vector<int>, 2> classes, bool crowded);
+  CellCodes(const Weave& weave, std::array<std::vector<int>, 2> kinds, bool crowded);
 
   const Weave& weave() const { return weave_; }
   bool crowded() const { return crowded_; }
-  const std::vector<int>& classes(System system) const { return classes_[static_cast<size_t>(system)]; }
-  int geometryClass(System system, int index) const;  ///< of the yarn of an end or a pick; any integer
+  int kind(System system, int index) const;  ///< of an end or a pick; any integer
   /// Smallest periods, in crossings, after which the codes repeat.
   int repeatEnds() const { return repeatEnds_; }
   int repeatPicks() const { return repeatPicks_; }
@@ -73,12 +73,13 @@ class CellCodes {
   void read(System system, int across, int along, const YarnCrossings& crossings, std::span<ShapeCode> codes) const;
 
  private:
+  const std::vector<int>& kinds(System system) const { return kinds_[static_cast<size_t>(system)]; }
   template <class WarpOver, class BesideAt>
   void readOf(System system, int across, int along, const WarpOver& warpOver, const BesideAt& besideAt,
               std::span<ShapeCode> codes) const;
 
   Weave weave_;
-  std::array<std::vector<int>, 2> classes_;
+  std::array<std::vector<int>, 2> kinds_;
   bool crowded_ = false;
   int repeatEnds_ = 1, repeatPicks_ = 1;
 };

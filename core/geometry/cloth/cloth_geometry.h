@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "core/base/task.h"
@@ -64,11 +65,14 @@ class ClothGeometry {
   /// YarnModel::separation.
   double separation(System system, int geometryClass) const { return yarns_.model(system, geometryClass).separation; }
   int yarnIndex(System system, int index) const { return yarns_.yarnIndex(system, index); }
-  int geometryClass(System system, int index) const { return codes_.geometryClass(system, index); }
+  int geometryClass(System system, int index) const { return yarns_.geometryClass(system, codes_.kind(system, index)); }
   int repeatEnds() const { return codes_.repeatEnds(); }
   int repeatPicks() const { return codes_.repeatPicks(); }
   const Weave& weave() const { return codes_.weave(); }
   CellStrands strands(const YarnCellKey& key) const { return yarns_.strands(key); }
+
+  /// What a designer should know where threads have no room to lie as unevenly as is asked.
+  std::vector<std::string> spacingRemarks() const;
 
   /// Over one repeat, or the piece where that is smaller.
   ClothMeasures measure() const;

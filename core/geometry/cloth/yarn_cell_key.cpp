@@ -12,6 +12,7 @@ uint64_t hash(const YarnCellKey& key) {
   for (const PathNode* node : {&key.previous, &key.here, &key.next}) {
     h = hashCombine(h, node->height_mm);
     h = hashCombine(h, node->aside_mm);
+    h = hashCombine(h, node->along_mm);
     h = hashCombine(h, node->up);
     h = hashCombine(h, node->across);
   }

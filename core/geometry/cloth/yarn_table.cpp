@@ -9,14 +9,13 @@
 
 #include "core/base/hash.h"
 #include "core/base/modulo.h"
-#include "core/base/period.h"
 #include "core/fabric/model/yarn_count.h"
 
 // How it works. What a yarn is like depends on its neighbours, so it is resolved in steps. The outline of each class of
-// yarns follows from its count and finish; two outlines give a crossing (how high each yarn goes over the other); the
-// paths over all crossings give the length of a yarn in a cell, and with that its twist per cell; and only
-// then are its fibres laid out (makeYarnModel), which takes the time. Models of the table before serve again where
-// their source is equal.
+// yarns follows from its count and finish; two outlines give a crossing (how high each yarn goes over the other); with
+// both it is known how close threads may lie where the sett is not even (threadKinds); the paths over all crossings
+// give the length of a yarn in a cell, and with that its twist per cell; and only then are its fibres laid out
+// (makeYarnModel), which takes the time. Models of the table before serve again where their source is equal.
 
 namespace loomlight {
 namespace {
@@ -33,6 +32,17 @@ std::shared_ptr<const YarnModel> reused(const std::vector<std::shared_ptr<const 
     if (model->source == other) return withEvenness(*model, source.resolved.evenness);
   }
   return nullptr;
+}
+
+System otherThan(System system) {
+  return system == System::warp ? System::weft : System::warp;
+}
+
+/// The geometry class of each thread.
+std::vector<int> classesOf(const ThreadKinds& threads) {
+  std::vector<int> classes;
+  for (const int kind : threads.sequence) classes.push_back(threads.kinds[static_cast<size_t>(kind)].geometryClass);
+  return classes;
 }
 
 }  // namespace
@@ -57,8 +67,6 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
   for (const System system : {System::warp, System::weft}) {
     SystemYarns& of = systems_[static_cast<size_t>(system)];
     of.sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
-    for (const int index : of.sequence) of.classes.push_back(classOf[index]);
-    of.classes = shortestRepeat(std::move(of.classes));  // colours alone repeat more slowly
     of.models.resize(classCount_);
     const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
     const double crossPitch = system == System::warp ? warpPitch_mm_ : weftPitch_mm_;
@@ -78,8 +86,20 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
 
   for (const System system : {System::warp, System::weft}) {
     SystemYarns& mine = systems_[static_cast<size_t>(system)];
-    const std::vector<int>& others = systems_[1 - static_cast<size_t>(system)].classes;
-    for (const int own : mine.classes) {
+    std::vector<int> classes;
+    for (const int index : mine.sequence) classes.push_back(classOf[index]);
+    mine.threads = spaced(system, classes, system == System::warp ? fabric.warpSpacing : fabric.weftSpacing);
+  }
+  for (const System system : {System::warp, System::weft})
+    for (YarnGeometry& outline : systems_[static_cast<size_t>(system)].outlines) {
+      outline.evenness.displaced_mm = of(system).threads.farthest_mm();
+      outline.evenness.crossingsDisplaced_mm = of(otherThan(system)).threads.farthest_mm();
+    }
+
+  for (const System system : {System::warp, System::weft}) {
+    SystemYarns& mine = systems_[static_cast<size_t>(system)];
+    const std::vector<int> others = classesOf(of(otherThan(system)).threads);
+    for (const int own : classesOf(mine.threads)) {
       if (mine.models[own]) continue;
       YarnGeometry outline = mine.outlines[own];
       double interlaced = 0;
@@ -98,6 +118,31 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
   }
 }
 
+/// Yarns come no closer than their sections touch, pressed in a little, however far they stand aside besides; nor so
+/// close that a yarn which goes over one and under the next would be too steep.
+ThreadKinds YarnTable::spaced(System system, const std::vector<int>& classes,
+                              const std::vector<double>& spacing) const {
+  constexpr double kPressedIn = 0.1;  // of the half-width, as threads that crowd (crowding.cpp)
+  const bool warp = system == System::warp;
+  const auto takes_mm = [&](int own) {
+    const YarnGeometry& outline = of(system).outlines[static_cast<size_t>(own)];
+    return (1 - kPressedIn) * outline.halfWidth_mm() + outline.evenness.crowding.most_mm;
+  };
+  const auto climb_mm = [&](int own) {
+    double highest = 0;
+    for (int other = 0; other < classCount_; ++other) {
+      const Crossing& c = crossings_[static_cast<size_t>(warp ? own : other) * classCount_ + (warp ? other : own)];
+      for (const auto& ofState : warp ? c.weftHeight_mm : c.warpHeight_mm)
+        highest = std::max(highest, *std::max_element(ofState.begin(), ofState.end()));
+    }
+    return highest;
+  };
+  const double steepest = steepestClimb_mm(1);
+  return threadKinds(classes, spacing, warp ? warpPitch_mm_ : weftPitch_mm_, [&](int own, int next) {
+    return std::max(takes_mm(own) + takes_mm(next), (climb_mm(own) + climb_mm(next)) / steepest);
+  });
+}
+
 bool YarnTable::isSketched() const {
   for (const SystemYarns& system : systems_)
     for (const auto& yarn : system.models)
@@ -107,7 +152,7 @@ bool YarnTable::isSketched() const {
 
 void YarnTable::findThickness() {
   for (const System system : {System::warp, System::weft}) {
-    const System otherSystem = system == System::warp ? System::weft : System::warp;
+    const System otherSystem = otherThan(system);
     for (int own = 0; own < classCount_; ++own)
       for (int other = 0; other < classCount_; ++other) {
         if (!of(system).models[own] || !of(otherSystem).models[other]) continue;
@@ -122,14 +167,16 @@ void YarnTable::findThickness() {
 double YarnTable::minYarnDiameter_mm() const {
   double least = std::numeric_limits<double>::max();
   for (const SystemYarns& system : systems_)
-    for (const int own : system.classes) least = std::min(least, 2 * system.models[own]->geometry.reach_mm());
+    for (const auto& yarn : system.models)
+      if (yarn) least = std::min(least, 2 * yarn->geometry.reach_mm());
   return least;
 }
 
 double YarnTable::minFibreRadius_mm() const {
   double least = std::numeric_limits<double>::max();
   for (const SystemYarns& system : systems_)
-    for (const int own : system.classes) least = std::min(least, system.models[own]->geometry.fibreRadius_mm);
+    for (const auto& yarn : system.models)
+      if (yarn) least = std::min(least, yarn->geometry.fibreRadius_mm);
   return least;
 }
 
@@ -158,8 +205,16 @@ PathNode YarnTable::node(System system, int own, const CellShape::Node& at) cons
 }
 
 YarnCellKey YarnTable::shapeKey(System system, const CellShape& shape) const {
-  const auto nodeAt = [&](const CellShape::Node& at) { return node(system, shape.own, at); };
-  return {system, shape.own, 0, 0, nodeAt(shape.previous), nodeAt(shape.here), nodeAt(shape.next)};
+  const ThreadKind& own = of(system).threads.kinds[static_cast<size_t>(shape.own)];
+  const auto nodeAt = [&](CellShape::Node at) {
+    const ThreadKind& crossed = of(otherThan(system)).threads.kinds[static_cast<size_t>(at.crossed)];
+    at.crossed = crossed.geometryClass;
+    PathNode place = node(system, own.geometryClass, at);
+    place.aside_mm += system == System::warp ? own.displaced_mm : -own.displaced_mm;
+    place.along_mm = crossed.displaced_mm;
+    return place;
+  };
+  return {system, own.geometryClass, 0, 0, nodeAt(shape.previous), nodeAt(shape.here), nodeAt(shape.next)};
 }
 
 YarnTable::Place YarnTable::place(System system, int geometryClass, int across, int along) const {
@@ -181,7 +236,7 @@ bool YarnTable::sameShapes(const YarnTable& other) const {
     return a == b || (a && b && a->geometry == b->geometry);
   };
   const auto sameSystem = [&](const SystemYarns& a, const SystemYarns& b) {
-    return a.classes == b.classes &&
+    return a.threads == b.threads &&
            std::equal(a.models.begin(), a.models.end(), b.models.begin(), b.models.end(), sameModel);
   };
   return sameSystem(systems_[0], other.systems_[0]) && sameSystem(systems_[1], other.systems_[1]) &&
@@ -189,28 +244,40 @@ bool YarnTable::sameShapes(const YarnTable& other) const {
          sameNodes(other);
 }
 
-std::optional<ClassNames> YarnTable::namesOfClasses(const YarnTable& other) const {
-  ClassNames names;
-  std::array<std::vector<int>, 2> here, there;  // the classes in use, pair by pair
+std::optional<KindNames> YarnTable::namesOfKinds(const YarnTable& other) const {
+  KindNames names;
+  std::array<std::vector<int>, 2> here, there;  // the kinds in use, pair by pair
   for (size_t system = 0; system < 2; ++system) {
-    const std::vector<int>&mine = systems_[system].classes, &others = other.systems_[system].classes;
-    if (mine.size() != others.size()) return std::nullopt;
-    names[system].assign(static_cast<size_t>(other.classCount_), -1);
-    std::vector<int> back(static_cast<size_t>(classCount_), -1);
-    for (size_t i = 0; i < mine.size(); ++i) {
-      int &name = names[system][others[i]], &former = back[mine[i]];
+    const ThreadKinds &mine = systems_[system].threads, &others = other.systems_[system].threads;
+    if (mine.sequence.size() != others.sequence.size()) return std::nullopt;
+    names[system].assign(others.kinds.size(), -1);
+    std::vector<int> back(mine.kinds.size(), -1);
+    for (size_t i = 0; i < mine.sequence.size(); ++i) {
+      const int kind = mine.sequence[i], before = others.sequence[i];
+      int &name = names[system][before], &former = back[kind];
       if (name < 0 && former < 0) {
-        here[system].push_back(name = mine[i]);
-        there[system].push_back(former = others[i]);
+        here[system].push_back(name = kind);
+        there[system].push_back(former = before);
       }
-      if (name != mine[i] || former != others[i]) return std::nullopt;
+      if (name != kind || former != before) return std::nullopt;
+      if (mine.kinds[kind].displaced_mm != others.kinds[before].displaced_mm) return std::nullopt;
     }
+    // Threads that are displaced and also lean to others may come to lie as others do.
+    if (crowded_ && mine.farthest_mm() > 0) return std::nullopt;
   }
+  const auto classes = [](const YarnTable& of, System system, std::vector<int> kinds) {
+    for (int& kind : kinds) kind = of.geometryClass(system, kind);
+    return kinds;
+  };
   for (const System system : {System::warp, System::weft}) {
+    const System otherSystem = otherThan(system);
     const auto own = static_cast<size_t>(system), crossed = 1 - own;
-    for (size_t i = 0; i < here[own].size(); ++i)
-      if (nodeGroups(system, here[own][i], here[crossed]) != other.nodeGroups(system, there[own][i], there[crossed]) ||
-          leaningGroups(system, here[own][i]) != other.leaningGroups(system, there[own][i]))
+    const std::vector<int> mine = classes(*this, system, here[own]), others = classes(other, system, there[own]);
+    const std::vector<int> over = classes(*this, otherSystem, here[crossed]),
+                           othersOver = classes(other, otherSystem, there[crossed]);
+    for (size_t i = 0; i < mine.size(); ++i)
+      if (nodeGroups(system, mine[i], over) != other.nodeGroups(system, others[i], othersOver) ||
+          leaningGroups(system, mine[i]) != other.leaningGroups(system, others[i]))
         return std::nullopt;
   }
   return names;
@@ -275,8 +342,10 @@ CellStrands YarnTable::strands(const YarnCellKey& key) const {
 
 double YarnTable::axisLength_mm(const YarnCellKey& key) const {
   const double pitch = model(key.system, key.yarn).geometry.pitch_mm;
-  const Transition before(key.previous, key.here, pitch), after(key.here, key.next, pitch);
-  return before.length_mm() - before.lengthTo(0.5 * pitch) + after.lengthTo(0.5 * pitch);
+  const Transition before(key.previous, key.here, spanBetween_mm(key.previous, key.here, pitch));
+  const Transition after(key.here, key.next, spanBetween_mm(key.here, key.next, pitch));
+  return before.length_mm() - before.lengthTo(0.5 * pitch - key.previous.along_mm) +
+         after.lengthTo(0.5 * pitch - key.here.along_mm);
 }
 
 }  // namespace loomlight

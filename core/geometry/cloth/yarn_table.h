@@ -9,6 +9,7 @@
 #include "core/fabric/model/fabric.h"
 #include "core/geometry/cloth/cell_codes.h"
 #include "core/geometry/cloth/crossing.h"
+#include "core/geometry/cloth/thread_kinds.h"
 #include "core/geometry/cloth/yarn_cell_key.h"
 #include "core/geometry/yarn/cell_strands.h"
 #include "core/geometry/yarn/yarn_geometry.h"
@@ -40,8 +41,11 @@ class YarnTable {
 
   /// Index into Fabric::yarns of an end or a pick; any integer.
   int yarnIndex(System system, int index) const;
-  /// Geometry classes of ends or picks, in their shortest repeat.
-  const std::vector<int>& classes(System system) const { return of(system).classes; }
+  /// What ends or picks are, and how far from where an even sett would have them.
+  const ThreadKinds& threads(System system) const { return of(system).threads; }
+  int geometryClass(System system, int kind) const {
+    return threads(system).kinds[static_cast<size_t>(kind)].geometryClass;
+  }
   /// Of a class that occurs in the system's sequence.
   const YarnModel& model(System system, int geometryClass) const;
 
@@ -65,19 +69,20 @@ class YarnTable {
 
   /// Whether cells of the same codes have the same fibres.
   bool sameShapes(const YarnTable& other) const;
-  /// Where threads are of one class here just where they are in `other`, and cells of one shape likewise: whatever the
+  /// Where threads are of one kind here just where they are in `other`, and cells of one shape likewise: whatever the
   /// yarns have become, a map of the other's shapes is one of these. Nothing where they are not.
-  std::optional<ClassNames> namesOfClasses(const YarnTable& other) const;
+  std::optional<KindNames> namesOfKinds(const YarnTable& other) const;
 
  private:
   struct SystemYarns {
     std::vector<YarnGeometry> outlines;                    ///< per geometry class, without fibres
     std::vector<std::shared_ptr<const YarnModel>> models;  ///< per geometry class; null where the system has none
     std::vector<int> sequence;                             ///< Fabric::yarns index per end or pick
-    std::vector<int> classes;
+    ThreadKinds threads;
   };
   const SystemYarns& of(System system) const { return systems_[static_cast<size_t>(system)]; }
   PathNode node(System system, int own, const CellShape::Node& at) const;
+  ThreadKinds spaced(System system, const std::vector<int>& classes, const std::vector<double>& spacing) const;
   /// visit(state, otherState): of the float states that a yarn and the one it crosses may be in at a crossing.
   template <class Visit>
   void forEachState(const Visit& visit) const {

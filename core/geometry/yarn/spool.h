@@ -17,7 +17,9 @@ struct Evenness {
   double slubMass = 1;       ///< of a length of slub, over that of the yarn between
   double aside_mm = 0;       ///< RMS distance of its axis from where an even sett would have it
   Crowding crowding;         ///< in an even sett: by the weave alone, whatever the place along the yarn
-  /// Evenly spun, in an even sett: "even" of a yarn means both. Such a yarn may crowd.
+  double displaced_mm = 0;   ///< farthest that the cloth's spacing has such a thread from its place in an even sett
+  double crossingsDisplaced_mm = 0;  ///< likewise, of the threads that it crosses
+  /// Evenly spun, in an even sett: "even" of a yarn means both. Such a yarn may crowd, and be displaced.
   bool isEven() const { return massCv == 0 && slubs_per_mm == 0 && aside_mm == 0; }
   bool operator==(const Evenness&) const = default;
 };

@@ -38,13 +38,17 @@ class CellStations {
     reach_ = reach;
     const int fibres = std::max(1, static_cast<int>(yarn.fibreCount()));
     maxStations_ = std::clamp(kMaxPointsPerCell / fibres, kLeastMaxStations, kMaxStations);
-    maxTilt_ = std::min(1.0, 0.499 * pitch_mm / std::max(reach, 1e-9));
+    // Beyond the nodes beside a cell nothing of the yarn may spill into it.
+    const double nearest_mm = 0.499 * pitch_mm - yarn.geometry.evenness.crossingsDisplaced_mm;
+    maxTilt_ = std::min(1.0, nearest_mm / std::max(reach, 1e-9));
   }
 
-  /// The stations of a transition whose first node is at s and has the given phase; its last station too if `last`.
-  void add(const PathNode& from, const PathNode& to, double s_mm, double phase, bool last) {
+  /// The stations of a transition whose first node lies in the cell about s and has the given phase; its last station
+  /// too if `last`.
+  void add(const PathNode& from, const PathNode& to, double cell_mm, double phase, bool last) {
     const YarnGeometry& g = yarn_.geometry;
-    const Transition path(from, to, pitch_);
+    const double s_mm = cell_mm + from.along_mm;
+    const Transition path(from, to, spanBetween_mm(from, to, pitch_));
     const TwistEasing easing(path.length_mm(), g.cellLength_mm);
     const SectionEasing section(g.withinOutline({from.up, from.across}), g.withinOutline({to.up, to.across}),
                                 g.withinOutline(g.free));

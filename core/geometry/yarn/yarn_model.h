@@ -66,7 +66,9 @@ struct YarnModel {
   double thickest() const { return spool ? spool->largestRadius() : 1.0; }
   double thinnest() const { return spool ? spool->smallestRadius() : 1.0; }
   /// Of its axis from the middle of the cell, where the sett is uneven and threads crowd.
-  double farthestAside_mm() const { return farthestOffSett_mm() + geometry.evenness.crowding.most_mm; }
+  double farthestAside_mm() const {
+    return farthestOffSett_mm() + geometry.evenness.crowding.most_mm + geometry.evenness.displaced_mm;
+  }
   double farthestOffSett_mm() const { return spool ? spool->farthestAside_mm() : 0.0; }
   /// Where the yarn lies straight, its section is the usual one.
   PathNode straightNode() const {

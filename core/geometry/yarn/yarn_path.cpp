@@ -4,7 +4,7 @@
 #include <cmath>
 
 // How it works. From one crossing to the next an axis goes along an arc, a straight line and the arc turned over, each
-// a third of the pitch, horizontal at both ends. The line's slope is that which climbs from height to height, found by
+// a third of the way, horizontal at both ends. The line's slope is that which climbs from height to height, found by
 // Newton's method; lengths along the path and places on it are then closed forms.
 
 namespace loomlight {
@@ -18,9 +18,9 @@ AxisPoint advance(const AxisPoint& p, double length_mm, double curvature_per_mm)
           p.z_mm + (std::cos(p.angle) - std::cos(angle)) / curvature_per_mm, angle};
 }
 
-constexpr double kArcShare = 1.0 / 3;  // of the pitch
+constexpr double kArcShare = 1.0 / 3;  // of the span
 
-/// How high a path climbs over a unit of pitch whose line has this slope, and how that grows with the slope. An arc
+/// How high a path climbs over a unit of span whose line has this slope, and how that grows with the slope. An arc
 /// from the horizontal to the angle a rises by tan(a / 2) over a unit.
 struct Climb {
   double height, growth;
@@ -31,7 +31,7 @@ struct Climb {
   }
 };
 
-/// The slope of the line that climbs so high over a unit of pitch. The climb is concave in the slope, so Newton's steps
+/// The slope of the line that climbs so high over a unit of span. The climb is concave in the slope, so Newton's steps
 /// come up to it from below.
 double slopeOf(double height) {
   double slope = 0;
@@ -44,23 +44,23 @@ double slopeOf(double height) {
 
 }  // namespace
 
-double steepestClimb_mm(double pitch_mm) {
-  return pitch_mm * Climb(std::tan(kSteepestPath)).height;
+double steepestClimb_mm(double span_mm) {
+  return span_mm * Climb(std::tan(kSteepestPath)).height;
 }
 
-Transition::Transition(const PathNode& from, const PathNode& to, double pitch_mm) {
+Transition::Transition(const PathNode& from, const PathNode& to, double span_mm) {
   const double climb = static_cast<double>(to.height_mm) - from.height_mm;
-  const double angle = std::atan(slopeOf(std::abs(climb) / pitch_mm)), up = climb < 0 ? -1.0 : 1.0;
+  const double angle = std::atan(slopeOf(std::abs(climb) / span_mm)), up = climb < 0 ? -1.0 : 1.0;
   end_ = {0.0, from.height_mm, 0.0};
   if (angle < 1e-9) {
-    append(pitch_mm, 0.0);
+    append(span_mm, 0.0);
     return;
   }
-  const double arc_mm = kArcShare * pitch_mm;
+  const double arc_mm = kArcShare * span_mm;
   const double curvature = up * std::sin(angle) / arc_mm;
   const double arcLength_mm = arc_mm * angle / std::sin(angle);
   append(arcLength_mm, curvature);
-  append((pitch_mm - 2 * arc_mm) / std::cos(angle), 0.0);
+  append((span_mm - 2 * arc_mm) / std::cos(angle), 0.0);
   append(arcLength_mm, -curvature);
 }
 

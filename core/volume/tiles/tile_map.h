@@ -46,7 +46,7 @@ class TileMap {
   struct Change {
     const ClothGeometry& before;
     bool inWeaveAlone = false;          ///< ClothGeometry::differsInWeaveOnly()
-    ClassNames names;                   ///< of the classes of `before`
+    KindNames names;                    ///< of the kinds of threads of `before`
     std::vector<WeaveCrossing> places;  ///< changes of the weave, as of weaveChanges()
   };
   /// Makes it the map of another geometry, as a new map would be, but for the bricks: those of shapes that are still

@@ -16,7 +16,7 @@ namespace {
 /// How unlike two paths through a cell are, mm.
 float unlikeness(const YarnCellKey& a, const YarnCellKey& b) {
   const auto apart = [](const PathNode& p, const PathNode& q) {
-    return std::abs(p.height_mm - q.height_mm) + std::abs(p.aside_mm - q.aside_mm);
+    return std::abs(p.height_mm - q.height_mm) + std::abs(p.aside_mm - q.aside_mm) + std::abs(p.along_mm - q.along_mm);
   };
   return apart(a.previous, b.previous) + 2 * apart(a.here, b.here) + apart(a.next, b.next);
 }

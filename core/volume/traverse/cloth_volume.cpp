@@ -121,7 +121,7 @@ void ClothVolume::readTiles(const ClothVolume* previous, const Task& task) {
 
 bool ClothVolume::editTiles(const ClothVolume& previous, const Task& task) {
   const ClothGeometry& before = *previous.geometry_;
-  auto names = geometry_->yarns().namesOfClasses(before.yarns());
+  auto names = geometry_->yarns().namesOfKinds(before.yarns());
   if (!names || previous.tiles_[0].isWorn() || previous.tiles_[1].isWorn()) return false;
   const Weave& weave = geometry_->weave();
   const size_t crossings = static_cast<size_t>(weave.ends()) * static_cast<size_t>(weave.picks());

@@ -73,6 +73,8 @@ Fabric BvdfPatch::reduced(const Fabric& fabric) {
   patch.weave = cornerOf(fabric.weave);
   patch.warpSequence = fabric.warpSequence;
   patch.weftSequence = fabric.weftSequence;
+  patch.warpSpacing = fabric.warpSpacing;
+  patch.weftSpacing = fabric.weftSpacing;
   mergeYarns(fabric, patch);
   patch = evenlySpun(std::move(patch));  // a few crossings are no average of thick, thin and displaced places
   patch.light.kind = LightKind::dome;

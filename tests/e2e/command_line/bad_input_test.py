@@ -53,6 +53,7 @@ class BadInput(CommandLineTest):
             (("fibres", 1, "absorption_per_mm"), [1, 2], "fibres[1].absorption_per_mm"),
             (("ends_per_cm",), "twenty", "ends_per_cm"),
             (("warp_sequence",), [0, 7], "warp_sequence[1]"),
+            (("warp_spacing",), [1, 20], "warp_spacing[1]"),
             (("weave",), ["#.", "#"], "weave"),
             (("weave",), [], "weave"),
             (("render", "width"), 10**9, "render.width"),

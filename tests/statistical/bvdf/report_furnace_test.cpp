@@ -79,8 +79,7 @@ INSTANTIATE_TEST_SUITE_P(OnADrape, ReportFurnace,
                                          Case{DrapeKind::cylinder, 8}, Case{DrapeKind::cylinder, 2},
                                          Case{DrapeKind::sphere, 8}, Case{DrapeKind::folds, 8},
                                          Case{DrapeKind::cushion, 4}, Case{DrapeKind::skirt, 8},
-                                         Case{DrapeKind::mesh, 8}, Case{DrapeKind::flat, 1},
-                                         Case{DrapeKind::flat, 16}),
+                                         Case{DrapeKind::mesh, 8}, Case{DrapeKind::flat, 1}, Case{DrapeKind::flat, 16}),
                          [](const testing::TestParamInfo<Case>& info) {
                            const auto drape = static_cast<size_t>(info.param.drape);
                            return std::string(ChoiceNames<DrapeKind>::names[drape]) + "_" +

@@ -16,8 +16,13 @@ TEST(YarnsOfBothSystems, HardlyRunThroughEachOther) {
   Fabric threefold = cloths::pliedSatin();
   threefold.name = "three plies";
   for (Yarn& yarn : threefold.yarns) yarn.plies = 3;
+  Fabric paired = cloths::plain();
+  paired.name = "in pairs";
+  paired.ends_per_cm = paired.picks_per_cm = 14;
+  paired.warpSpacing = {1, 1.6};
+  paired.weftSpacing = {1, 1, 1.5};
   for (const Fabric& fabric :
-       {cloths::plain(), cloths::twill(), cloths::pliedSatin(), threefold, cloths::cabled(), milled}) {
+       {cloths::plain(), cloths::twill(), cloths::pliedSatin(), threefold, cloths::cabled(), milled, paired}) {
     SCOPED_TRACE(fabric.name);
     const ClothGeometry cloth(fabric, 4, 4);
     EXPECT_LT(test::sharePressedTogether(cloth, 1, 2, 1.5), 0.02);

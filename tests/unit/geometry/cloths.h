@@ -116,8 +116,20 @@ inline Fabric hopsack() {
   return f;
 }
 
+/// Ends in pairs as of one dent, every third pick apart.
+inline Fabric spaced() {
+  Fabric f = mixed();
+  f.name = "spaced";
+  f.ends_per_cm = 12;
+  f.picks_per_cm = 12;
+  f.warpSpacing = {1, 2};
+  f.weftSpacing = {1, 1, 1.6};
+  return f;
+}
+
 inline std::vector<Fabric> all() {
-  return {plain(), twill(), twill(FibreLayout::random), pliedSatin(), cabled(), hairy(), mixed(), slubby(), hopsack()};
+  return {plain(),   twill(), twill(FibreLayout::random), pliedSatin(), cabled(), hairy(), mixed(), slubby(),
+          hopsack(), spaced()};
 }
 
 }  // namespace loomlight::cloths

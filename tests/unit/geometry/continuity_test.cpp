@@ -88,12 +88,12 @@ TEST(PathContinuity, TransitionsAreSmooth) {
     const ClothGeometry cloth(fabric, 8, 8);
     for (int pick = 0; pick < 8; ++pick) {
       const YarnCellKey key = cloth.key(System::warp, pick, 1);
-      const double pitch = cloth.yarn(System::warp, key.yarn).pitch_mm;
-      const Transition path(key.here, key.next, pitch);
+      const double span = spanBetween_mm(key.here, key.next, cloth.yarn(System::warp, key.yarn).pitch_mm);
+      const Transition path(key.here, key.next, span);
       const AxisPoint start = path.at(0), end = path.at(path.length_mm());
       EXPECT_NEAR(start.z_mm, key.here.height_mm, 1e-9);
       EXPECT_NEAR(start.angle, 0, 1e-9);
-      EXPECT_NEAR(end.s_mm, pitch, 1e-6);
+      EXPECT_NEAR(end.s_mm, span, 1e-6);
       EXPECT_NEAR(end.z_mm, key.next.height_mm, 1e-6);
       EXPECT_NEAR(end.angle, 0, 1e-6);
       for (size_t i = 1; i < path.pieces().size(); ++i) {
@@ -102,7 +102,7 @@ TEST(PathContinuity, TransitionsAreSmooth) {
       }
       // lengthTo() is the inverse of at().s.
       for (const double share : {0.1, 0.37, 0.5, 0.81})
-        EXPECT_NEAR(path.at(path.lengthTo(share * pitch)).s_mm, share * pitch, 1e-9);
+        EXPECT_NEAR(path.at(path.lengthTo(share * span)).s_mm, share * span, 1e-9);
     }
   }
 }

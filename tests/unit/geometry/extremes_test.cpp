@@ -106,6 +106,8 @@ TEST_P(AnyValidFabricOf, HasSoundGeometry) {
     }
     if (pick.toss()) fabric.settCv_percent = pick.number(0, 20);
     if (pick.toss()) fabric.crowding = pick.number(0, 3);
+    if (pick.toss()) fabric.warpSpacing = {pick.number(0.1, 10), pick.number(0.1, 10), 1};
+    if (pick.toss()) fabric.weftSpacing = {pick.number(0.1, 10), 1};
     const ClothGeometry cloth(fabric, 6, 6);
     ASSERT_TRUE(std::isfinite(cloth.halfThickness_mm()));
     for (const System system : {System::warp, System::weft}) {

@@ -97,7 +97,7 @@ TEST(ClothGeometry, SharesTheYarnsThatAnEditLeavesAlone) {
 
 /// Whether a map of the shapes of `before` is one of `after`, name by name; their weaves must be the same.
 void expectSameShapes(const ClothGeometry& before, const ClothGeometry& after) {
-  const auto names = after.yarns().namesOfClasses(before.yarns());
+  const auto names = after.yarns().namesOfKinds(before.yarns());
   ASSERT_TRUE(names);
   std::array<std::set<std::pair<size_t, size_t>>, 2> keys;  // numbers of the codes' shapes, before and after
   for (const System system : {System::warp, System::weft}) {
@@ -143,10 +143,10 @@ TEST(ClothGeometry, NamesNoClassesWhereTheyArePartedOrBecomeOne) {
   const ClothGeometry same(fabric, 10, 10);
   fabric.yarns[1].count_tex *= 1.5;
   const ClothGeometry striped(fabric, 10, 10);
-  EXPECT_FALSE(striped.yarns().namesOfClasses(same.yarns()));
-  EXPECT_FALSE(same.yarns().namesOfClasses(striped.yarns()));
+  EXPECT_FALSE(striped.yarns().namesOfKinds(same.yarns()));
+  EXPECT_FALSE(same.yarns().namesOfKinds(striped.yarns()));
   fabric.warpSequence = {0, 0, 1};
-  EXPECT_FALSE(ClothGeometry(fabric, 10, 10).yarns().namesOfClasses(striped.yarns()));
+  EXPECT_FALSE(ClothGeometry(fabric, 10, 10).yarns().namesOfKinds(striped.yarns()));
 }
 
 // Threads that touch stand equally far aside, however much they are drawn.
@@ -156,11 +156,11 @@ TEST(ClothGeometry, NamesNoClassesWhereThreadsComeToTouch) {
   fabric.crowding = 0.2;
   const ClothGeometry apart(fabric, 10, 10);
   fabric.crowding = 0.3;
-  EXPECT_TRUE(ClothGeometry(fabric, 10, 10).yarns().namesOfClasses(apart.yarns()));
+  EXPECT_TRUE(ClothGeometry(fabric, 10, 10).yarns().namesOfKinds(apart.yarns()));
   fabric.crowding = 3;
   const ClothGeometry touching(fabric, 10, 10);
-  EXPECT_FALSE(touching.yarns().namesOfClasses(apart.yarns()));
-  EXPECT_FALSE(apart.yarns().namesOfClasses(touching.yarns()));
+  EXPECT_FALSE(touching.yarns().namesOfKinds(apart.yarns()));
+  EXPECT_FALSE(apart.yarns().namesOfKinds(touching.yarns()));
 }
 
 TEST(WeaveChanges, AreThePlacesThatDiffer) {

@@ -80,11 +80,17 @@ Fabric smallPiece() {
 /// Where a yarn goes from cell to cell its strands end in half spheres, which in the whole tree stand out into the next
 /// cell: fibres are a hundredth of a pitch thick, so one ray in some hundred comes by there, and few of these see it.
 TEST(FibreBricks, MeetWhatTheWholeTreeMeets) {
-  const auto scene = test::sceneOf(smallPiece());
-  ASSERT_TRUE(scene->cloth->fibres);
-  const Agreement agreement = compare(*scene, 20'000, 1e-4f);
-  EXPECT_GT(agreement.hits, 3000);
-  EXPECT_GT(agreement.same, 0.995 * agreement.hits);
+  Fabric inPairs = smallPiece();
+  inPairs.yarns[0].count_tex = 8;
+  inPairs.warpSpacing = {1, 2};
+  inPairs.weftSpacing = {1, 1.5, 1};
+  for (const Fabric& fabric : {smallPiece(), inPairs}) {
+    const auto scene = test::sceneOf(fabric);
+    ASSERT_TRUE(scene->cloth->fibres);
+    const Agreement agreement = compare(*scene, 20'000, 1e-4f);
+    EXPECT_GT(agreement.hits, 3000);
+    EXPECT_GT(agreement.same, 0.995 * agreement.hits);
+  }
 }
 
 /// A flat cloth's part of a ray is all of it that there is.

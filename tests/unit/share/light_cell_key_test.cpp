@@ -57,6 +57,31 @@ TEST(LightCellKeys, AreOneForThreadsOfOneShade) {
   EXPECT_EQ(all.size(), 1u);
 }
 
+// Beside a wide gap a thread is in other light than between close neighbours.
+TEST(LightCellKeys, KeepThreadsThatAreDisplacedApart) {
+  Fabric fabric = test::whiteCotton();
+  fabric.yarns[0].count_tex = 8;
+  fabric.warpSpacing = {1, 1, 2};
+  fabric.render.resolution = 2;
+  const auto scene = test::sceneOf(fabric);
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  MediumPath path = medium->path();
+  LightCellKeys keys(*scene);
+  Random random(1);
+  TraceCounts counts;
+  std::array<std::set<uint64_t>, 3> cells;  // of level 3, by the place of the end in the spacing
+  for (int i = 0; i < 4000; ++i) {
+    path.begin({{8 * random.uniform() - 4, 8 * random.uniform() - 4, 5}, -1});
+    const auto met = path.collide({0, 0, -1}, random, counts);
+    if (met && met->yarnId.system == System::warp)
+      cells[static_cast<size_t>(met->yarnId.index) % 3].insert(keys.of(*met).keys[3]);
+  }
+  for (size_t a = 0; a < 3; ++a) {
+    EXPECT_GT(cells[a].size(), 1u);
+    for (const uint64_t key : cells[a]) EXPECT_EQ(cells[(a + 1) % 3].count(key), 0u) << a;
+  }
+}
+
 std::shared_ptr<const Scene> onFolds() {
   Fabric fabric = test::whiteCotton();
   fabric.render.resolution = 2;

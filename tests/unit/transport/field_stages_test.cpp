@@ -122,7 +122,7 @@ struct Cloth {
   }
 };
 
-Cloth made(std::shared_ptr<const Scene> scene) {
+Cloth made(const std::shared_ptr<const Scene>& scene) {
   const RenderSettings& render = scene->fabric->render;
   const test::MediumKind kind{.name = "", .method = render.method, .estimator = render.estimator};
   return {scene, kind.make(*scene, 1)};
@@ -340,6 +340,8 @@ TEST_P(FieldStages, OfListsAndTheWeave) {
   EXPECT_TRUE(isSeen([](Fabric& f) { f.weftSequence = {1}; }));
   EXPECT_TRUE(isSeen([](Fabric& f) { f.yarns[1] = f.yarns[0], f.yarns[1].fibre = 2, f.warpSequence = {0, 1}; }));
   EXPECT_FALSE(isSeen([](Fabric& f) { f.warpSequence = {0, 0}; }));
+  EXPECT_TRUE(isSeen([](Fabric& f) { f.warpSpacing = {1, 2}; }));
+  EXPECT_TRUE(isSeen([](Fabric& f) { f.weftSpacing = {1, 1, 2}; }));
   EXPECT_FALSE(isSeen([](Fabric& f) { f.yarns.emplace_back(); }));
   EXPECT_FALSE(isSeen([](Fabric& f) { f.yarns.pop_back(); }));
   EXPECT_FALSE(isSeen([](Fabric& f) { f.fibres.emplace_back(); }));

@@ -65,6 +65,12 @@ Fabric edited(const Fabric& before, Random& random) {
     case 12:
       fabric.crowding = fabric.crowding > 0 ? 0 : 1 + random.below(3);
       break;
+    case 13: {
+      std::vector<double>& spacing = random.below(2) ? fabric.warpSpacing : fabric.weftSpacing;
+      spacing.assign(random.below(4), 1);
+      for (double& distance : spacing) distance += random.below(3);
+      break;
+    }
     default: {
       const auto [pick, end] = place();
       fabric.weave = fabric.weave.with(pick, end, !fabric.weave.at(pick, end));
@@ -106,7 +112,7 @@ void walk(Fabric fabric, int ends, int picks, int steps, Random& random) {
     // Somebody looks at a corner of it meanwhile, and is shown what there is.
     const CellRect corner{0, 0, 1 + static_cast<int>(random.below(picks)), 1 + static_cast<int>(random.below(ends))};
     const PreviewSink look{corner, [](double) { return true; },
-                           [&](std::shared_ptr<const ClothVolume> sketch) { EXPECT_TRUE(isWhole(*sketch)); }};
+                           [&](const std::shared_ptr<const ClothVolume>& sketch) { EXPECT_TRUE(isWhole(*sketch)); }};
     volume = ClothVolume::build(geometry, 1, one, volume.get(), &look);
     auto& fresh = history[now].fresh;
     if (!fresh || fresh->geometry().ends() != ends || fresh->geometry().picks() != picks)

@@ -221,6 +221,8 @@ TEST(ClothSheetPage, NothingOverlapsWhereAllIsAsWideAsItCanBe) {
   for (int i = 0; i < 8; ++i) fabric.colourways.push_back(colourwayOf(fabric, wide));
   fabric.mill.reed_per_10cm = 444.4;
   fabric.mill.endsPerDent.assign(60, 64);
+  fabric.warpSpacing.assign(16, 1.2345678);
+  fabric.weftSpacing = fabric.warpSpacing;
   fabric.mill.selvedgeEnds = 888;
   fabric.mill.selvedgeYarn = 63;
   fabric.mill.selvedgeWeave = wide;
@@ -299,9 +301,10 @@ TEST(ClothSheetPage, TellsTheStatesOfTheCloth) {
   fabric.mill.reed_per_10cm = 19;
   fabric.mill.loomPicks_per_cm = 4.7;
   fabric.mill.selvedgeEnds = 12;
+  fabric.warpSpacing = {1, 1, 2};
   const Boxes boxes = layOut(fabric);
-  for (const char* const text :
-       {"19 dents/10 cm, ends per dent 2", "3.8", "4.7", "reed and denting; from crimp", "12 each side, 2 per dent"})
+  for (const char* const text : {"1 1 2, over each other, repeating", "19 dents/10 cm, ends per dent 2", "3.8", "4.7",
+                                 "reed and denting; from crimp", "12 each side, 2 per dent"})
     EXPECT_TRUE(says(boxes, text)) << text;
 }
 

@@ -46,6 +46,8 @@ TEST(FabricJson, EveryValueComesBack) {
   f.picks_per_cm = 0.2;
   f.warpSequence = {0, 1, 1};
   f.weftSequence = {1};
+  f.warpSpacing = {1, 2.5, 1.0 / 3};
+  f.weftSpacing = {1, 10};
   f.fibres.resize(2);
   f.fibres[1].absorption_per_mm = Rgb(0.1f, 1.0f / 3.0f, 9999.99f);
   f.fibres[1].section = FibreSection::trilobal;
@@ -221,6 +223,12 @@ TEST(FabricJson, MessagesNameFilePlaceAndExpectation) {
   EXPECT_EQ(complaint(test::fabricWith(R"("name": 7)")), "x.json: name: expected a text, got 7");
   EXPECT_EQ(complaint(test::fabricWith(R"("warp_sequence": [0, 1])")),
             "x.json: warp_sequence[1]: expected the number of a yarn from 0 to 0, got 1");
+  EXPECT_EQ(complaint(test::fabricWith(R"("warp_spacing": [1, 0.05])")),
+            "x.json: warp_spacing[1]: expected a number from 0.1 to 10, got 0.05");
+  EXPECT_EQ(complaint(test::fabricWith(R"("weft_spacing": "even")")),
+            "x.json: weft_spacing: expected a list of numbers, got \"even\"");
+  EXPECT_EQ(complaint(test::fabricWith(R"("weft_spacing": [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,2])")),
+            "x.json: weft_spacing: expected at most 16 distances, got 17");
   EXPECT_EQ(complaint(test::fabricWith(R"("render": {"seed": -1})")),
             "x.json: render.seed: expected a whole number from 0 to 18446744073709551615, got -1");
 }

@@ -75,7 +75,8 @@ TEST(HostileJson, ChangedBytesAreReadOrRefused) {
     try {
       const Fabric fabric = fabricFromJson(changed, "x.json");
       EXPECT_EQ(fabricFromJson(fabricToJson(fabric), "x.json"), fabric);
-    } catch (const InputError&) {
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("x.json: ", 0), 0u) << error.what();
     }
   }
 }
@@ -111,10 +112,11 @@ TEST(HostileJson, NumbersBeyondAllRanges) {
 
 TEST(HostileJson, WrongTypesEverywhere) {
   const std::set<std::pair<std::string, std::string>> fitting = {
-      {"name", "\"\""}, {"description", "\"\""}, {"yarns", "[{}]"}, {"fibres", "[{}]"},
-      {"drape", "{}"},  {"light", "{}"},         {"camera", "{}"},  {"render", "{}"}};
-  for (const std::string key : {"name", "description", "weave", "draft", "ends_per_cm", "picks_per_cm", "warp_sequence",
-                                "weft_sequence", "yarns", "fibres", "drape", "light", "camera", "render"}) {
+      {"name", "\"\""}, {"description", "\"\""}, {"yarns", "[{}]"}, {"fibres", "[{}]"},    {"drape", "{}"},
+      {"light", "{}"},  {"camera", "{}"},        {"render", "{}"},  {"warp_spacing", "[]"}};
+  for (const std::string key :
+       {"name", "description", "weave", "draft", "ends_per_cm", "picks_per_cm", "warp_sequence", "weft_sequence",
+        "warp_spacing", "yarns", "fibres", "drape", "light", "camera", "render"}) {
     for (const std::string value : {"null", "true", "{}", "[]", "[[]]", "[{}]", "[null]", "\"\"", "-1", "[\"\"]"}) {
       try {
         fabricFromJson(test::fabricWith(fmt::format("\"{}\": {}", key, value)), "x.json");

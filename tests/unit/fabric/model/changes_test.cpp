@@ -97,6 +97,12 @@ TEST(Changes, SequenceOfYarnsOfOtherShapesMovesBricks) {
   EXPECT_THAT(found.yarns, IsEmpty());
 }
 
+TEST(Changes, SpacingMovesEveryThread) {
+  const Changes found = of([](Fabric& f) { f.warpSpacing = {1, 2}; });
+  EXPECT_EQ(found.stages, Stages(Stage::grid));
+  EXPECT_TRUE(found.picture() && found.voxels());
+}
+
 TEST(Changes, SequencesThatSayTheSameAreTheSame) {
   EXPECT_EQ(stagesOf([](Fabric& f) { f.warpSequence = {0, 0, 0}; }), Stages());
   Fabric a = base();
@@ -185,6 +191,7 @@ TEST(Changes, OneCrossingMovesBricksWhoseKeyChanges) {
                                                             [](Fabric& f) { f.yarns[0].plyTwist_per_m += 50; },
                                                             [](Fabric& f) { f.light.intensity = 2; },
                                                             [](Fabric& f) { f.warpSequence = {0, 2}; },
+                                                            [](Fabric& f) { f.weftSpacing = {1, 2}; },
                                                             [](Fabric& f) { f.ends_per_cm += 1; }};
   for (const auto& other : others) {
     EXPECT_FALSE(of(other).crossingsAlone());

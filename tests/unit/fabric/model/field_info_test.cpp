@@ -79,11 +79,12 @@ TEST(FieldTables, CoverEveryMember) {
   EXPECT_EQ(count(Colourway{}), 1) << "its colours are a list";
   [[maybe_unused]] const auto& [w1, w2, wu] = WifYarn{};
   EXPECT_EQ(count(WifYarn{}), 2);
-  [[maybe_unused]] const auto& [o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, ou] = WifOrigin{};
-  EXPECT_EQ(count(WifOrigin{}), 7) << "diameters and yarns are lists, and the rest lines";
+  [[maybe_unused]] const auto& [o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, ou] = WifOrigin{};
+  EXPECT_EQ(count(WifOrigin{}), 7) << "diameters, spacings and yarns are lists, and the rest lines";
   [[maybe_unused]] const auto& [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15, a16, a17, a18, a19,
-                                a20, a21, a22, a23, a24, a25, au] = Fabric{};
-  EXPECT_EQ(count(Fabric{}), 12) << "weave, draft, sequences, kinds and what is beside the cloth are no plain fields";
+                                a20, a21, a22, a23, a24, a25, a26, a27, au] = Fabric{};
+  EXPECT_EQ(count(Fabric{}), 12)
+      << "weave, draft, sequences, spacings, kinds and what is beside the cloth are no plain fields";
 }
 
 TEST(FieldTables, ComparisonIgnoresUnknownKeysOnly) {

@@ -212,44 +212,6 @@ TEST(WifFabric, AYarnOfAnotherThicknessLosesItsName) {
   EXPECT_EQ(again.yarns[again.warpYarn(0)].name, "Ne 40 combed") << "it is as thick as the file says";
 }
 
-TEST(WifFabric, ThickThreadsAreThickerByTheirRatio) {
-  const std::string text = twillFile() + "[WARP THICKNESS]\n3=0.08\n";
-  const Fabric f = imported(text);
-  EXPECT_NE(f.warpYarn(2), f.warpYarn(6)) << "of one colour";
-  EXPECT_EQ(f.yarns[f.warpYarn(6)].count_tex, Yarn{}.count_tex);
-  EXPECT_NEAR(f.yarns[f.warpYarn(2)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
-}
-
-// Some programs write thick and thin as the room that a thread takes.
-TEST(WifFabric, UnevenSpacingIsThickAndThin) {
-  const WifImport import = fabricFromWif(twillFile(), "x.wif", Fabric{}, WifSizeChoice::keep);
-  const Fabric& f = import.fabric;
-  EXPECT_EQ(f.yarns[f.weftYarn(0)].count_tex, Yarn{}.count_tex);
-  EXPECT_NEAR(f.yarns[f.weftYarn(1)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
-  EXPECT_EQ(f.weftYarn(0), f.weftYarn(5));
-  EXPECT_THAT(inLines(import.warnings),
-              ElementsAre(testing::AllOf(HasSubstr("Picks lie 1 to 2 times the usual distance apart"),
-                                         HasSubstr("one distance, the mean"))));
-  const std::string back = wifFromFabric(f, "y.wif").text;
-  EXPECT_EQ(document(back).rest.weft, document(twillFile()).rest.weft) << "none is lost";
-  expectSameCloth(imported(back), f);
-}
-
-TEST(WifFabric, ThreadsThatFitTheirRoomAreSetApart) {
-  const std::string text = replaced(twillFile(), "Spacing=.02\n", "Spacing=.02\nThickness=.018\n");
-  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
-  EXPECT_EQ(import.fabric.weftSequence.size(), 1u) << "one yarn, with gaps";
-  EXPECT_THAT(inLines(import.warnings), ElementsAre(HasSubstr("in the file; here they lie at one distance")));
-  EXPECT_EQ(document(wifFromFabric(import.fabric, "y.wif").text).rest, document(text).rest);
-}
-
-TEST(WifFabric, BothThickAndUnevenTakesTheThickness) {
-  const std::string text = twillFile() + "[WEFT THICKNESS]\n1=.02\n2=.02\n3=.03\n4=.02\n5=.02\n6=.02\n";
-  const Fabric f = imported(text);
-  EXPECT_NEAR(f.yarns[f.weftYarn(2)].count_tex, 2.25 * Yarn{}.count_tex, 1e-9);
-  EXPECT_EQ(f.weftYarn(1), f.weftYarn(0));
-}
-
 TEST(WifFabric, WhatIsNotNamedCanBeCutOff) {
   const std::string text = replaced(replaced(twillFile(), "Threads=6", "Threads=500"), "Threads=8", "Threads=30");
   const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);

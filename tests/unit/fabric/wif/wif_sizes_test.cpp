@@ -1,9 +1,11 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/model/wif_origin.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/wif/wif_fabric.h"
@@ -14,6 +16,7 @@ namespace loomlight {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -38,14 +41,105 @@ std::string thickEndFile() {
   return twillFile() + "[WARP THICKNESS]\n1=0.06\n";
 }
 
+TEST(WifSizes, ThickThreadsAreThickerByTheirRatio) {
+  const std::string text = twillFile() + "[WARP THICKNESS]\n3=0.08\n";
+  const Fabric f = imported(text);
+  EXPECT_NE(f.warpYarn(2), f.warpYarn(6)) << "of one colour";
+  EXPECT_EQ(f.yarns[f.warpYarn(6)].count_tex, Yarn{}.count_tex);
+  EXPECT_NEAR(f.yarns[f.warpYarn(2)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
+}
+
+// Some programs write thick and thin as the room that a thread takes.
+TEST(WifSizes, UnevenSpacingIsThickAndThin) {
+  const WifImport import = fabricFromWif(twillFile(), "x.wif", Fabric{}, WifSizeChoice::keep);
+  const Fabric& f = import.fabric;
+  EXPECT_EQ(f.yarns[f.weftYarn(0)].count_tex, Yarn{}.count_tex);
+  EXPECT_NEAR(f.yarns[f.weftYarn(1)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
+  EXPECT_EQ(f.weftYarn(0), f.weftYarn(5));
+  EXPECT_THAT(inLines(import.warnings),
+              ElementsAre(testing::AllOf(HasSubstr("Picks lie 1 to 2 times the usual distance apart"),
+                                         HasSubstr("have yarns of such diameters; here they lie so too"))));
+  EXPECT_EQ(f.weftSpacing, (std::vector<double>{1.5, 1.5, 1, 1, 1, 1})) << "in the middle of their rooms";
+  EXPECT_TRUE(f.warpSpacing.empty());
+  const std::string back = wifFromFabric(f, "y.wif").text;
+  EXPECT_EQ(document(back).rest.weft, document(twillFile()).rest.weft) << "none is lost";
+  expectSameThreads(imported(back), f);
+}
+
+TEST(WifSizes, ThreadsThatFitTheirRoomAreSetApart) {
+  const std::string text = replaced(twillFile(), "Spacing=.02\n", "Spacing=.02\nThickness=.018\n");
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_EQ(import.fabric.weftSequence.size(), 1u) << "one yarn, with gaps";
+  EXPECT_THAT(inLines(import.warnings), ElementsAre(HasSubstr("in the file; here they lie so too, as far as their")));
+  EXPECT_EQ(import.fabric.weftSpacing, (std::vector<double>{1, 2, 1, 1, 1, 1})) << "from thread to thread";
+  EXPECT_EQ(document(wifFromFabric(import.fabric, "y.wif").text).rest, document(text).rest);
+}
+
+// Thick and thin by turns have rooms of two widths, and lie at one distance.
+TEST(WifSizes, ThickAndThinByTurnsLieAtOneDistance) {
+  const std::string text = replaced(twillFile(), "[WEFT SPACING]\n2=0.04\n", "[WEFT SPACING]\n2=.04\n4=.04\n6=.04\n");
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_NE(import.fabric.weftYarn(1), import.fabric.weftYarn(0));
+  EXPECT_TRUE(import.fabric.weftSpacing.empty());
+  EXPECT_THAT(inLines(import.warnings), ElementsAre(HasSubstr("of such diameters; here they lie at one distance")));
+}
+
+// Hardly two crossings of such a cloth would be alike.
+TEST(WifSizes, SpacingThatRepeatsLateIsSaidAndNotWoven) {
+  std::string text = replaced(twillFile(), "Threads=8", "Threads=32"), spacing = "[WARP SPACING]\n";
+  for (int end = 9; end <= 32; ++end) text = replaced(text, "[THREADING]\n", fmt::format("[THREADING]\n{}=1\n", end));
+  for (int end = 1; end <= kMostSpacing + 1; ++end) spacing += fmt::format("{}=0.{}\n", end, 10 + end);
+  const WifImport import = fabricFromWif(text + spacing, "x.wif", Fabric{}, WifSizeChoice::keep);
+  ASSERT_EQ(import.fabric.weave.ends(), 32);
+  EXPECT_TRUE(import.fabric.warpSpacing.empty());
+  EXPECT_THAT(inLines(import.warnings), Contains(testing::AllOf(HasSubstr("Ends lie"), HasSubstr("at one distance"))));
+}
+
+TEST(WifSizes, BothThickAndUnevenTakesTheThickness) {
+  const std::string text = twillFile() + "[WEFT THICKNESS]\n1=.02\n2=.02\n3=.03\n4=.02\n5=.02\n6=.02\n";
+  const Fabric f = imported(text);
+  EXPECT_NEAR(f.yarns[f.weftYarn(2)].count_tex, 2.25 * Yarn{}.count_tex, 1e-9);
+  EXPECT_EQ(f.weftYarn(1), f.weftYarn(0));
+}
+
 TEST(WifSizes, UnevenSpacingThatGoesIsSaid) {
   Fabric fabric = imported(twillFile());
-  fabric.picks_per_cm = 31;
+  ASSERT_FALSE(fabric.weftSpacing.empty());
+  fabric.weftSpacing.clear();
+  for (const double picks_per_cm : {fabric.picks_per_cm, 31.0}) {
+    fabric.picks_per_cm = picks_per_cm;
+    const WifExport exported = wifFromFabric(fabric, "y.wif");
+    EXPECT_THAT(exported.remarks, Contains(HasSubstr("Picks lay unevenly in the file")));
+    EXPECT_TRUE(document(exported.text).rest.weft.spacings.empty());
+    const Fabric again = imported(exported.text);
+    EXPECT_NE(again.weftYarn(1), again.weftYarn(0)) << "thick picks have their thickness now";
+  }
+}
+
+TEST(WifSizes, UnevenSpacingStaysInAnotherSett) {
+  Fabric fabric = imported(twillFile());
+  fabric.picks_per_cm = 25;
   const WifExport exported = wifFromFabric(fabric, "y.wif");
-  EXPECT_THAT(exported.remarks, Contains(HasSubstr("Picks lay unevenly in the file")));
-  EXPECT_TRUE(document(exported.text).rest.weft.spacings.empty());
+  EXPECT_THAT(exported.remarks, testing::Not(Contains(HasSubstr("unevenly"))));
+  // 1.5, 1.5, 1, 1, 1, 1 of 7 parts of six pitches of .04 cm.
+  const std::map<int, double>& written = document(exported.text).rest.weft.spacings;
+  ASSERT_EQ(written.size(), 6u);
+  EXPECT_NEAR(written.at(1), 1.5 / 7 * 0.24, 1e-6);
+  EXPECT_NEAR(written.at(6), 1.0 / 7 * 0.24, 1e-6);
   const Fabric again = imported(exported.text);
-  EXPECT_NE(again.weftYarn(1), again.weftYarn(0)) << "thick picks have their thickness now";
+  EXPECT_EQ(again.weftSpacing.size(), 6u);
+  for (size_t i = 0; i < 6; ++i) EXPECT_NEAR(again.weftSpacing[i], fabric.weftSpacing[i], 2e-4);
+}
+
+// Ends of a reed that the designer has set, which no file has said.
+TEST(WifSizes, ADesignersSpacingIsWritten) {
+  Fabric fabric;
+  fabric.warpSpacing = {1, 1, 2.5};
+  const Fabric again = imported(wifFromFabric(fabric, "y.wif").text);
+  ASSERT_EQ(again.warpSpacing.size(), 3u);
+  for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(again.warpSpacing[i], fabric.warpSpacing[i], 1e-3);
+  EXPECT_TRUE(again.weftSpacing.empty());
+  EXPECT_EQ(again.weave.ends(), 6) << "weave and spacing repeat together";
 }
 
 TEST(WifSizes, SizesOfTheDesignerReplaceThoseOfTheFile) {
@@ -120,8 +214,10 @@ TEST(WifSizes, ThickThreadsStayWhereThereAreMoreOrFewer) {
     fabric.weave = fabric.weave.resized(8, picks);
     const WifExport exported = wifFromFabric(fabric, "y.wif");
     EXPECT_THAT(exported.remarks, Contains(HasSubstr("of single picks")));
-    EXPECT_TRUE(document(exported.text).rest.weft.spacings.empty());
-    expectSameThreads(imported(exported.text), fabric);
+    const Fabric again = imported(exported.text);
+    expectSameThreads(again, fabric);
+    ASSERT_EQ(again.weftSpacing.size(), 6u);
+    for (size_t i = 0; i < 6; ++i) EXPECT_NEAR(again.weftSpacing[i], fabric.weftSpacing[i], 2e-4);
   }
 }
 
