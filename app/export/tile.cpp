@@ -96,8 +96,9 @@ TileExtent tileExtent(const Fabric& uneven, bool joinTwist) {
   const int64_t picks =
       lcm(lcm(fabric.weave.picks(), static_cast<int64_t>(fabric.weftSequence.size())), geometry.repeatPicks());
   if (ends > Weave::kMaxSide || picks > Weave::kMaxSide)
-    throw InputError(fmt::format("{}: expected weave and colours to repeat within {} threads, got {} ends and {} picks",
-                                 fabric.name, Weave::kMaxSide, ends, picks));
+    throw InputError(
+        fmt::format("{}: expected weave, colours and spacing to repeat within {} threads, got {} ends and {} picks",
+                    fabric.name, Weave::kMaxSide, ends, picks));
   if (!joinTwist) return {static_cast<int>(ends), static_cast<int>(picks), false};
   const int64_t twistEnds = lcm(ends, twistPeriod(geometry, System::weft));
   const int64_t twistPicks = lcm(picks, twistPeriod(geometry, System::warp));

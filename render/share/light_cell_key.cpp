@@ -59,7 +59,10 @@ bool sameLightCells(const Fabric& before, const Fabric& after) {
 }
 
 LightCellKeys::LightCellKeys(const Scene& scene)
-    : cloth_(*scene.cloth), geometry_(scene.cloth->volume->geometry()), lightIsNear_(isNear(scene.fabric->light)) {}
+    : cloth_(*scene.cloth), geometry_(scene.cloth->volume->geometry()), lightIsNear_(isNear(scene.fabric->light)) {
+  const YarnTable& yarns = geometry_.yarns();
+  isSpaced_ = yarns.threads(System::warp).farthest_mm() > 0 || yarns.threads(System::weft).farthest_mm() > 0;
+}
 
 uint64_t LightCellKeys::crossingsAround(int pick, int end) const {
   uint64_t warpOver = 0, key = 0;
@@ -69,6 +72,7 @@ uint64_t LightCellKeys::crossingsAround(int pick, int end) const {
   for (int i = -1; i <= 1; ++i) {
     key = hashCombine(key, geometry_.yarnIndex(System::warp, end + i));
     key = hashCombine(key, geometry_.yarnIndex(System::weft, pick + i));
+    if (!isSpaced_) continue;
     key = hashCombine(key, geometry_.codes().kind(System::warp, end + i));
     key = hashCombine(key, geometry_.codes().kind(System::weft, pick + i));
   }

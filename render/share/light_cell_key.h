@@ -53,6 +53,7 @@ class LightCellKeys {
   const TraceData& cloth_;
   const ClothGeometry& geometry_;
   bool lightIsNear_;
+  bool isSpaced_ = false;     ///< threads are displaced
   int pick_ = -1, end_ = -1;  ///< whose crossings were looked at last
   uint64_t around_ = 0;
 };

@@ -5,11 +5,13 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "core/base/parallel.h"
 #include "core/fabric/model/changes.h"
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/yarn/yarn_edit.h"
 #include "core/geometry/cloth/cloth_geometry.h"
 #include "render/transport/path_integrator.h"
@@ -27,13 +29,14 @@ constexpr size_t kFewest = 8, kMostOfWeave = 128;  // crossings a side; a jacqua
 constexpr size_t kMostOfColours = 4096, kMostOfBoth = size_t{1} << 16;  // a side, and of both together
 constexpr double kMarginThicknesses = 6;  // around the window: hardly any light comes from farther
 
-/// The part of the cloth that is looked at: a repeat of weave and colours, centred.
+/// The part of the cloth that is looked at: a repeat of weave, colours and spacing, centred.
 glm::dvec2 windowSides_mm(const Fabric& fabric) {
-  const auto repeat = [](int weave, size_t colours) {
+  const auto repeat = [](int weave, size_t sequence, const std::vector<double>& spacing) {
+    const size_t colours = std::lcm(sequence, static_cast<size_t>(spacingRepeat(spacing)));
     return std::max(std::min(static_cast<size_t>(weave), kMostOfWeave), std::min(colours, kMostOfColours));
   };
-  size_t ends = repeat(fabric.weave.ends(), fabric.warpSequence.size());
-  size_t picks = repeat(fabric.weave.picks(), fabric.weftSequence.size());
+  size_t ends = repeat(fabric.weave.ends(), fabric.warpSequence.size(), fabric.warpSpacing);
+  size_t picks = repeat(fabric.weave.picks(), fabric.weftSequence.size(), fabric.weftSpacing);
   size_t& longer = ends > picks ? ends : picks;
   longer = std::min(longer, std::max(kMostOfWeave, kMostOfBoth / std::min(ends, picks)));
   const auto side = [](size_t threads, double pitch_mm) {

@@ -116,7 +116,8 @@ Changes changes(const Fabric& before, const Fabric& after) {
                     between(before.render, after.render) | between(before.mill, after.mill);
   compareMaterials(before, after, changes);
   compareThreads(before, after, changes);
-  if (before.warpSpacing != after.warpSpacing || before.weftSpacing != after.weftSpacing)
+  if (displacements(before.warpSpacing) != displacements(after.warpSpacing) ||
+      displacements(before.weftSpacing) != displacements(after.weftSpacing))
     changes.stages |= kSpacingRange.stages;
   if (!(before.weave == after.weave)) {
     changes.stages |= Stage::shape;

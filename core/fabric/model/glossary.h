@@ -184,7 +184,7 @@ inline constexpr Word settCv{
 inline constexpr Word warpSpacing{
     "Ends apart",
     "How far each end lies from the next one, over the other distances: a few numbers that repeat, as 1 2 for ends in "
-    "pairs. Nothing: all alike. The sett stays. Yarns that have no room to lie so close lie as close as they can."};
+    "pairs. Nothing: all alike. The sett stays. Where yarns have no room for it, all distances differ less."};
 inline constexpr Word weftSpacing{"Picks apart",
                                   "How far each pick lies from the next one, over the other distances: a few numbers "
                                   "that repeat. Nothing: all alike."};

@@ -5,11 +5,19 @@
 #include <algorithm>
 #include <charconv>
 #include <numeric>
+#include <system_error>
+
+#include "core/base/period.h"
 
 namespace loomlight {
 
-std::vector<double> displacements(const std::vector<double>& spacing) {
-  if (std::adjacent_find(spacing.begin(), spacing.end(), std::not_equal_to<>()) == spacing.end()) return {};
+int spacingRepeat(const std::vector<double>& spacing) {
+  return spacing.empty() ? 1 : static_cast<int>(shortestRepeat(spacing).size());
+}
+
+std::vector<double> displacements(const std::vector<double>& given) {
+  if (spacingRepeat(given) == 1) return {};
+  const std::vector<double> spacing = shortestRepeat(given);
   const double pitch = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(spacing.size());
   std::vector<double> displaced;
   double place = 0;

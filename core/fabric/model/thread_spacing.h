@@ -16,6 +16,9 @@ inline constexpr int kMostSpacing = 16;
 /// Of each distance.
 inline constexpr FieldInfo kSpacingRange{Stage::grid, "", "", "", 0.1, 10};
 
+/// After how many threads it repeats; 1 where it is even.
+int spacingRepeat(const std::vector<double>& spacing);
+
 /// How far each thread of the repeat lies beside its place in an even sett of as many threads, in pitches of that,
 /// positive towards the next thread: as far to one side at most as to the other. Empty where the spacing is even.
 std::vector<double> displacements(const std::vector<double>& spacing);

@@ -1,6 +1,7 @@
 #include "core/base/period.h"
 #include "core/fabric/model/wif_origin.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/wif/wif_yarns.h"
 
 namespace loomlight {
@@ -46,6 +47,8 @@ Fabric cutToNamed(Fabric fabric, WifNamed named) {
   origin.picks = std::min(origin.picks, picks);
   cutSizes(origin.rest.warp, origin.ends);
   cutSizes(origin.rest.weft, origin.picks);
+  fabric.warpSpacing = spacingOf(origin.rest.warp, origin.ends);
+  fabric.weftSpacing = spacingOf(origin.rest.weft, origin.picks);
   fabric.wif = withSizesOf(std::move(origin), fabric);
   return fabric;
 }

@@ -24,13 +24,22 @@
 namespace loomlight {
 namespace {
 
-/// Threads after which weave, colours and spacing repeat together; the weave's own repeat where that is too many.
-int commonRepeat(int weave, size_t sequence, size_t spacing, const char* threads, std::vector<std::string>& remarks) {
+/// Threads after which weave, colours and spacing repeat together; without the spacing, or the weave's own repeat,
+/// where that is too many.
+int commonRepeat(int weave, size_t sequence, const std::vector<double>& spacing, const char* threads,
+                 std::vector<std::string>& remarks) {
   const int64_t both = std::lcm(static_cast<int64_t>(weave), static_cast<int64_t>(sequence));
-  const int64_t all = std::lcm(both, static_cast<int64_t>(std::max<size_t>(1, spacing)));
+  const int64_t all = std::lcm(both, int64_t{spacingRepeat(spacing)});
   if (all <= Weave::kMaxSide) return static_cast<int>(all);
+  if (both <= Weave::kMaxSide) {
+    remarks.push_back(
+        fmt::format("The spacing repeats with the cloth only after {} {}; the file holds {} of them, after which it "
+                    "begins anew.",
+                    all, threads, both));
+    return static_cast<int>(both);
+  }
   const int fitting = Weave::kMaxSide / weave * weave;
-  remarks.push_back(fmt::format("Weave and colours repeat together only after {} {}; the file holds {} of them.", all,
+  remarks.push_back(fmt::format("Weave and colours repeat together only after {} {}; the file holds {} of them.", both,
                                 threads, fitting));
   return fitting;
 }
@@ -153,7 +162,7 @@ WifSizes ownSizes(const Fabric& fabric, System system, int threads) {
     same = same && thickness == *sizes.thickness;
     sizes.thicknesses[thread + 1] = thickness;
   }
-  if (same) sizes.thicknesses.clear();
+  if (same && sizes.spacings.empty()) sizes.thicknesses.clear();  // else they say that spacing means no thickness
   return sizes;
 }
 
@@ -235,10 +244,10 @@ WifExport wifFromFabric(const Fabric& fabric, const std::string& file) {
   document.title = fabric.name;
   document.notes = linesOf(fabric.description);
   if (fabric.wif) document.rest = fabric.wif->rest;
-  const int ends = commonRepeat(fabric.weave.ends(), fabric.warpSequence.size(), fabric.warpSpacing.size(), "ends",
-                                exported.remarks);
-  const int picks = commonRepeat(fabric.weave.picks(), fabric.weftSequence.size(), fabric.weftSpacing.size(), "picks",
-                                 exported.remarks);
+  const int ends =
+      commonRepeat(fabric.weave.ends(), fabric.warpSequence.size(), fabric.warpSpacing, "ends", exported.remarks);
+  const int picks =
+      commonRepeat(fabric.weave.picks(), fabric.weftSequence.size(), fabric.weftSpacing, "picks", exported.remarks);
   document.draft = draftFor(fabric, ends, picks, file, exported.remarks);
   const std::vector<int> numbers = numbersOfYarns(fabric, document.rest.palette, file);
   for (int end = 0; end < ends; ++end) document.warpColours.push_back(numbers[fabric.warpYarn(end)]);

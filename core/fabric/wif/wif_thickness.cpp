@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/period.h"
 #include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_most_common.h"
-#include "core/fabric/wif/wif_yarns.h"
 
 namespace loomlight {
 namespace {
@@ -40,9 +40,9 @@ bool varies(const Lengths& lengths) {
   return std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<>()) != lengths.end();
 }
 
-/// Whether spacing is how the file says that threads are thick and thin.
-bool saysThicknessBySpacing(const Lengths& thick, const Lengths& apart) {
-  if (varies(thick) || !varies(apart)) return false;
+/// Whether spacing is how the file says that threads are thick and thin: not where it gives single ones a thickness.
+bool saysThicknessBySpacing(const WifSizes& sizes, const Lengths& thick, const Lengths& apart) {
+  if (!sizes.thicknesses.empty() || varies(thick) || !varies(apart)) return false;
   return thick.empty() || thick[0] > *std::min_element(apart.begin(), apart.end());
 }
 
@@ -75,7 +75,7 @@ std::optional<double> usualThickness_mm(const WifSizes& sizes, int threads) {
 std::vector<double> relativeThickness(const WifSizes& sizes, int threads) {
   const Lengths thick = thicknesses(sizes, threads), apart = spacings(sizes, threads);
   if (varies(thick)) return relative(thick);
-  if (saysThicknessBySpacing(thick, apart)) return relative(apart);
+  if (saysThicknessBySpacing(sizes, thick, apart)) return relative(apart);
   return Lengths(static_cast<size_t>(threads), 1.0);
 }
 
@@ -107,12 +107,16 @@ void noteGaps(const WifSizes& sizes, System system, int threads, WifWarnings& wa
 std::vector<double> spacingOf(const WifSizes& sizes, int threads) {
   Lengths apart = spacings(sizes, threads);
   if (!varies(apart)) return {};
-  if (saysThicknessBySpacing(thicknesses(sizes, threads), apart)) {
+  if (saysThicknessBySpacing(sizes, thicknesses(sizes, threads), apart)) {
     const Lengths rooms = apart;
     for (size_t i = 0; i < rooms.size(); ++i) apart[i] = 0.5 * (rooms[i] + rooms[(i + 1) % rooms.size()]);
   }
   apart = relative(std::move(apart));
-  for (double& distance : apart) distance = std::clamp(tidy(distance), kSpacingRange.min, kSpacingRange.max);
+  const double most = *std::max_element(apart.begin(), apart.end()), fitting = std::max(1.0, most / kSpacingRange.max);
+  for (double& distance : apart) {
+    const double rounded = std::round(1000 * distance / fitting) / 1000;  // files round their lengths
+    distance = std::clamp(rounded, kSpacingRange.min, kSpacingRange.max);
+  }
   apart = shortestRepeat(std::move(apart));
   if (apart.size() == 1 || apart.size() > static_cast<size_t>(kMostSpacing)) return {};
   return apart;
@@ -124,9 +128,8 @@ std::optional<WifWarning> unevenSpacing(const WifSizes& sizes, int threads, cons
   const Lengths ratios = relative(apart);
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
   const char* const yarns =
-      saysThicknessBySpacing(thick, apart) ? "; taken as thick and thin, they have yarns of such diameters" : "";
-  const char* const places =
-      isWoven ? "so too, as far as their yarns leave each other room" : "at one distance, the mean";
+      saysThicknessBySpacing(sizes, thick, apart) ? "; taken as thick and thin, they have yarns of such diameters" : "";
+  const char* const places = isWoven ? "so too, as far as they can" : "at one distance, the mean";
   return WifWarning{fmt::format("{} lie {:.3g} to {:.3g} times the usual distance apart in the file{}; here they lie "
                                 "{}. The file's own spacing is kept for export.",
                                 what, *least, *most, yarns, places),

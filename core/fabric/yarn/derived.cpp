@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/fabric/model/thread_spacing.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/long_floats.h"
 
@@ -81,7 +82,7 @@ class RunCounter {
 
 int64_t patternRepeat(int weave, const std::vector<int>& sequence, const std::vector<double>& spacing) {
   const int64_t colours = std::lcm(int64_t{weave}, static_cast<int64_t>(sequence.size()));
-  return std::lcm(colours, static_cast<int64_t>(std::max<size_t>(1, spacing.size())));
+  return std::lcm(colours, int64_t{spacingRepeat(spacing)});
 }
 
 }  // namespace

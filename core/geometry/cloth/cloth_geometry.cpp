@@ -35,9 +35,8 @@ std::vector<std::string> ClothGeometry::spacingRemarks() const {
   std::vector<std::string> remarks;
   for (const System system : {System::warp, System::weft})
     if (const double share = yarns_.threads(system).share; share < 0.995)
-      remarks.push_back(
-          fmt::format("The {} lie unevenly by {:.0f} % of what is asked: their yarns leave each other no more room.",
-                      system == System::warp ? "ends" : "picks", 100 * share));
+      remarks.push_back(fmt::format("The {} lie unevenly by {:.0f} % of what is asked, which is as far as they can.",
+                                    system == System::warp ? "ends" : "picks", 100 * share));
   return remarks;
 }
 

@@ -71,7 +71,7 @@ class ClothGeometry {
   const Weave& weave() const { return codes_.weave(); }
   CellStrands strands(const YarnCellKey& key) const { return yarns_.strands(key); }
 
-  /// What a designer should know where threads have no room to lie as unevenly as is asked.
+  /// What a designer should know where threads cannot lie as unevenly as is asked.
   std::vector<std::string> spacingRemarks() const;
 
   /// Over one repeat, or the piece where that is smaller.

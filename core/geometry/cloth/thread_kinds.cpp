@@ -25,7 +25,8 @@ double shareOf(const std::vector<int>& classes, const std::vector<double>& displ
                const LeastDistance& least_mm) {
   const double farthest = *std::max_element(displaced.begin(), displaced.end());
   double share = std::min(1.0, kMostDisplaced / farthest);
-  for (size_t i = 0; i < std::lcm(classes.size(), displaced.size()); ++i) {
+  const size_t threads = std::lcm(classes.size(), displaced.size());
+  for (size_t i = 0; i < threads; ++i) {
     const double closer = displaced[i % displaced.size()] - displaced[(i + 1) % displaced.size()];
     if (closer <= 0) continue;
     const double least = least_mm(classes[i % classes.size()], classes[(i + 1) % classes.size()]) / pitch_mm;
@@ -50,9 +51,11 @@ ThreadKinds threadKinds(const std::vector<int>& classes, const std::vector<doubl
   ThreadKinds spaced;
   spaced.share = shareOf(even.sequence, displaced, pitch_mm, least_mm);
   even.share = 0;
-  if (spaced.share == 0) return even;
+  constexpr double kHardly = 1e-3;
+  if (spaced.share < kHardly) return even;
   std::map<std::pair<int, double>, int> numbers;
-  for (size_t i = 0; i < std::lcm(even.sequence.size(), displaced.size()); ++i) {
+  const size_t threads = std::lcm(even.sequence.size(), displaced.size());
+  for (size_t i = 0; i < threads; ++i) {
     const int geometryClass = even.sequence[i % even.sequence.size()];
     const double by = displaced[i % displaced.size()];
     const auto [entry, isNew] = numbers.try_emplace({geometryClass, by}, static_cast<int>(numbers.size()));

@@ -16,7 +16,8 @@ struct ThreadKind {
 struct ThreadKinds {
   std::vector<ThreadKind> kinds;  ///< where the sett is even, kind i is geometry class i
   std::vector<int> sequence;      ///< kind of each thread, in their shortest repeat
-  /// How much of the wanted displacements they have, 0..1: less than 1 where yarns would lie in one another.
+  /// How much of the wanted displacements they have, 0..1: less than 1 where yarns would lie in one another,
+  /// or beyond kMostDisplaced.
   double share = 1;
 
   double farthest_mm() const;  ///< that any is displaced

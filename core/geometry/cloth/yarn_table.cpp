@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/base/hash.h"
 #include "core/base/modulo.h"
+#include "core/base/period.h"
 #include "core/fabric/model/yarn_count.h"
 
 // How it works. What a yarn is like depends on its neighbours, so it is resolved in steps. The outline of each class of
@@ -36,13 +38,6 @@ std::shared_ptr<const YarnModel> reused(const std::vector<std::shared_ptr<const 
 
 System otherThan(System system) {
   return system == System::warp ? System::weft : System::warp;
-}
-
-/// The geometry class of each thread.
-std::vector<int> classesOf(const ThreadKinds& threads) {
-  std::vector<int> classes;
-  for (const int kind : threads.sequence) classes.push_back(threads.kinds[static_cast<size_t>(kind)].geometryClass);
-  return classes;
 }
 
 }  // namespace
@@ -84,12 +79,13 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
   for (const YarnGeometry& warp : systems_[0].outlines)
     for (const YarnGeometry& weft : systems_[1].outlines) crossings_.push_back(cross(warp, weft, fabric.crimpBalance));
 
-  for (const System system : {System::warp, System::weft}) {
-    SystemYarns& mine = systems_[static_cast<size_t>(system)];
-    std::vector<int> classes;
-    for (const int index : mine.sequence) classes.push_back(classOf[index]);
-    mine.threads = spaced(system, classes, system == System::warp ? fabric.warpSpacing : fabric.weftSpacing);
+  std::array<std::vector<int>, 2> classes;  // of threads, by system: colours alone repeat more slowly
+  for (size_t system = 0; system < 2; ++system) {
+    for (const int index : systems_[system].sequence) classes[system].push_back(classOf[index]);
+    classes[system] = shortestRepeat(std::move(classes[system]));
   }
+  systems_[0].threads = spaced(System::warp, classes[0], classes[1], fabric.warpSpacing);
+  systems_[1].threads = spaced(System::weft, classes[1], classes[0], fabric.weftSpacing);
   for (const System system : {System::warp, System::weft})
     for (YarnGeometry& outline : systems_[static_cast<size_t>(system)].outlines) {
       outline.evenness.displaced_mm = of(system).threads.farthest_mm();
@@ -98,8 +94,8 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
 
   for (const System system : {System::warp, System::weft}) {
     SystemYarns& mine = systems_[static_cast<size_t>(system)];
-    const std::vector<int> others = classesOf(of(otherThan(system)).threads);
-    for (const int own : classesOf(mine.threads)) {
+    const std::vector<int>& others = classes[1 - static_cast<size_t>(system)];
+    for (const int own : classes[static_cast<size_t>(system)]) {
       if (mine.models[own]) continue;
       YarnGeometry outline = mine.outlines[own];
       double interlaced = 0;
@@ -118,28 +114,25 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
   }
 }
 
-/// Yarns come no closer than their sections touch, pressed in a little, however far they stand aside besides; nor so
-/// close that a yarn which goes over one and under the next would be too steep.
-ThreadKinds YarnTable::spaced(System system, const std::vector<int>& classes,
+/// Yarns come no closer than their sections touch, pressed in a little, however far they crowd besides; nor so close
+/// that a yarn which goes over one and under the next would be too steep. `crossed`: the classes of the other system.
+ThreadKinds YarnTable::spaced(System system, const std::vector<int>& classes, const std::vector<int>& crossed,
                               const std::vector<double>& spacing) const {
   constexpr double kPressedIn = 0.1;  // of the half-width, as threads that crowd (crowding.cpp)
-  const bool warp = system == System::warp;
-  const auto takes_mm = [&](int own) {
-    const YarnGeometry& outline = of(system).outlines[static_cast<size_t>(own)];
-    return (1 - kPressedIn) * outline.halfWidth_mm() + outline.evenness.crowding.most_mm;
-  };
-  const auto climb_mm = [&](int own) {
-    double highest = 0;
-    for (int other = 0; other < classCount_; ++other) {
-      const Crossing& c = crossings_[static_cast<size_t>(warp ? own : other) * classCount_ + (warp ? other : own)];
-      for (const auto& ofState : warp ? c.weftHeight_mm : c.warpHeight_mm)
-        highest = std::max(highest, *std::max_element(ofState.begin(), ofState.end()));
-    }
-    return highest;
-  };
+  std::vector<double> half_mm(static_cast<size_t>(classCount_)), climb_mm(half_mm);
+  const std::set<int> own(classes.begin(), classes.end()), others(crossed.begin(), crossed.end());
+  for (const int c : own) {
+    const YarnGeometry& outline = of(system).outlines[static_cast<size_t>(c)];
+    half_mm[c] = (1 - kPressedIn) * outline.halfWidth_mm() + outline.evenness.crowding.most_mm;
+    for (const int other : others)
+      forEachState([&](int state, int otherState) {
+        const PathNode over = node(otherThan(system), other, {c, true, state, otherState});
+        climb_mm[c] = std::max<double>(climb_mm[c], over.height_mm);
+      });
+  }
   const double steepest = steepestClimb_mm(1);
-  return threadKinds(classes, spacing, warp ? warpPitch_mm_ : weftPitch_mm_, [&](int own, int next) {
-    return std::max(takes_mm(own) + takes_mm(next), (climb_mm(own) + climb_mm(next)) / steepest);
+  return threadKinds(classes, spacing, system == System::warp ? warpPitch_mm_ : weftPitch_mm_, [&](int a, int b) {
+    return std::max(half_mm[a] + half_mm[b], (climb_mm[a] + climb_mm[b]) / steepest);
   });
 }
 

@@ -82,7 +82,8 @@ class YarnTable {
   };
   const SystemYarns& of(System system) const { return systems_[static_cast<size_t>(system)]; }
   PathNode node(System system, int own, const CellShape::Node& at) const;
-  ThreadKinds spaced(System system, const std::vector<int>& classes, const std::vector<double>& spacing) const;
+  ThreadKinds spaced(System system, const std::vector<int>& classes, const std::vector<int>& crossed,
+                     const std::vector<double>& spacing) const;
   /// visit(state, otherState): of the float states that a yarn and the one it crosses may be in at a crossing.
   template <class Visit>
   void forEachState(const Visit& visit) const {

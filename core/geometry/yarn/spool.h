@@ -19,7 +19,7 @@ struct Evenness {
   Crowding crowding;         ///< in an even sett: by the weave alone, whatever the place along the yarn
   double displaced_mm = 0;   ///< farthest that the cloth's spacing has such a thread from its place in an even sett
   double crossingsDisplaced_mm = 0;  ///< likewise, of the threads that it crosses
-  /// Evenly spun, in an even sett: "even" of a yarn means both. Such a yarn may crowd, and be displaced.
+  /// Evenly spun, and not wandering in its sett: "even" of a yarn means both. It may crowd, and be displaced.
   bool isEven() const { return massCv == 0 && slubs_per_mm == 0 && aside_mm == 0; }
   bool operator==(const Evenness&) const = default;
 };

@@ -36,7 +36,7 @@ void TileMap::findExtent(const ClothGeometry& geometry) {
   if (static_cast<double>(repeatAcross_) * repeatAlong_ > kMaxCrossings)
     throw InputError(
         fmt::format("the cloth repeats only after {} ends and {} picks: expected at most {:.0f} crossings; "
-                    "yarn sequences whose lengths divide that of the weave make the repeat shorter",
+                    "yarn sequences and spacings whose lengths divide that of the weave make the repeat shorter",
                     geometry.repeatEnds(), geometry.repeatPicks(), kMaxCrossings));
 }
 

@@ -144,6 +144,19 @@ TEST(Spacing, TurnedOverItIsTheSameCloth) {
   for (size_t end = 1; end < 4; ++end) EXPECT_NEAR(there[end] - there[0], here[end] - here[0], 0.002) << end;
 }
 
+// What no thread of a system has asks for no room in it, and what repeats within itself is as good as its part.
+TEST(Spacing, DependsOnTheYarnsThatAreWoven) {
+  const Fabric fabric = open({1, 2}, {});
+  Fabric other = fabric;
+  other.warpSpacing = {1, 2, 1, 2};
+  other.yarns.push_back(other.yarns[0]);
+  other.yarns.back().count_tex = 500;
+  const ClothGeometry cloth(fabric, 8, 8), same(other, 8, 8);
+  EXPECT_EQ(same.yarns().threads(System::warp).sequence, cloth.yarns().threads(System::warp).sequence);
+  EXPECT_EQ(same.yarns().threads(System::warp).share, cloth.yarns().threads(System::warp).share);
+  EXPECT_EQ(same.yarns().threads(System::warp).farthest_mm(), cloth.yarns().threads(System::warp).farthest_mm());
+}
+
 // As many cells as the spacing has threads are alike at most; and a cloth that is even has no more codes than before.
 TEST(Spacing, TheRepeatIsThatOfWeaveAndSpacing) {
   const ClothGeometry cloth(open({1, 2, 1}, {1, 1, 1, 2}), 24, 24);

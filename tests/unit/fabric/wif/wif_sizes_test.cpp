@@ -70,7 +70,8 @@ TEST(WifSizes, ThreadsThatFitTheirRoomAreSetApart) {
   const std::string text = replaced(twillFile(), "Spacing=.02\n", "Spacing=.02\nThickness=.018\n");
   const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
   EXPECT_EQ(import.fabric.weftSequence.size(), 1u) << "one yarn, with gaps";
-  EXPECT_THAT(inLines(import.warnings), ElementsAre(HasSubstr("in the file; here they lie so too, as far as their")));
+  EXPECT_THAT(inLines(import.warnings),
+              ElementsAre(HasSubstr("in the file; here they lie so too, as far as they can")));
   EXPECT_EQ(import.fabric.weftSpacing, (std::vector<double>{1, 2, 1, 1, 1, 1})) << "from thread to thread";
   EXPECT_EQ(document(wifFromFabric(import.fabric, "y.wif").text).rest, document(text).rest);
 }
@@ -140,6 +141,29 @@ TEST(WifSizes, ADesignersSpacingIsWritten) {
   for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(again.warpSpacing[i], fabric.warpSpacing[i], 1e-3);
   EXPECT_TRUE(again.weftSpacing.empty());
   EXPECT_EQ(again.weave.ends(), 6) << "weave and spacing repeat together";
+
+  fabric.warpSpacing = {1, 2};
+  fabric.ends_per_cm = 40;  // closer than the yarns are thick
+  const Fabric dense = imported(wifFromFabric(fabric, "y.wif").text);
+  EXPECT_EQ(dense.warpSpacing, fabric.warpSpacing);
+  EXPECT_EQ(dense.warpSequence.size(), 1u) << "threads that lie close are not thin";
+
+  fabric.warpSpacing = {0.1, 0.1, 2};
+  EXPECT_EQ(imported(wifFromFabric(fabric, "y.wif").text).warpSpacing, (std::vector<double>{0.5, 0.5, 10}));
+  fabric.warpSpacing = {3, 3, 3};
+  EXPECT_TRUE(document(wifFromFabric(fabric, "y.wif").text).rest.warp.spacings.empty()) << "even";
+}
+
+// Threads beyond those that a draft names are not woven, and have no spacing either.
+TEST(WifSizes, SpacingIsThatOfTheThreadsThatAreLeft) {
+  std::string text = replaced(twillFile(), "Threads=8", "Threads=30") + "[WARP SPACING]\n";
+  for (int end = 1; end <= 8; end += 2) text += fmt::format("{}=0.1\n", end);
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_TRUE(import.fabric.warpSpacing.empty()) << "thirty do not repeat after few";
+  const Fabric cut = cutToNamed(import.fabric, import.named);
+  ASSERT_EQ(cut.weave.ends(), 8);
+  EXPECT_EQ(cut.warpSpacing, (std::vector<double>{2, 1}));
+  EXPECT_EQ(document(wifFromFabric(cut, "y.wif").text).rest.warp, cut.wif->rest.warp) << "its own";
 }
 
 TEST(WifSizes, SizesOfTheDesignerReplaceThoseOfTheFile) {
