@@ -118,7 +118,6 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
 /// that a yarn which goes over one and under the next would be too steep. `crossed`: the classes of the other system.
 ThreadKinds YarnTable::spaced(System system, const std::vector<int>& classes, const std::vector<int>& crossed,
                               const std::vector<double>& spacing) const {
-  constexpr double kPressedIn = 0.1;  // of the half-width, as threads that crowd (crowding.cpp)
   std::vector<double> half_mm(static_cast<size_t>(classCount_)), climb_mm(half_mm);
   const std::set<int> own(classes.begin(), classes.end()), others(crossed.begin(), crossed.end());
   for (const int c : own) {

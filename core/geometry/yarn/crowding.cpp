@@ -11,7 +11,6 @@ namespace loomlight {
 
 Crowding crowdingOf(double radius_mm, double halfWidth_mm, double pitch_mm, double amount) {
   constexpr std::array<double, kFloatStates> kAside = {0.085, 0.11, 0.045};  // over the radius
-  constexpr double kPressedIn = 0.1;  // of the half-width: relaxed yarns that touch already come so near
   Crowding crowding;
   for (size_t state = 0; state < kAside.size(); ++state) {
     crowding.byState_mm[state] = amount * kAside[state] * radius_mm;

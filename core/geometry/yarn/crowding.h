@@ -11,6 +11,10 @@ namespace loomlight {
 inline constexpr int kLeaning = 4;
 inline constexpr int kMostLeaning = kLeaning + 2;  ///< to either side
 
+/// How far the rims of threads that lie close are pressed in, over the half-width: relaxed yarns that touch already
+/// come so near.
+inline constexpr double kPressedIn = 0.1;
+
 /// How far a yarn stands aside where a crossing thread passes between it and one of its neighbours, but not between it
 /// and the other, so that threads which float side by side draw together.
 struct Crowding {

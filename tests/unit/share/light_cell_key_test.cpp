@@ -4,7 +4,10 @@
 
 #include <array>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "render/scene/camera_rays.h"
@@ -17,6 +20,22 @@
 namespace loomlight {
 namespace {
 
+/// Looks straight down on a cloth, and says in which cells the fibres are that it meets.
+struct FromAbove {
+  explicit FromAbove(std::shared_ptr<const Scene> of) : scene(std::move(of)) {}
+  std::optional<Collision> meet(float x, float y, float height_mm) {
+    path.begin({{x, y, height_mm}, -1});
+    return path.collide({0, 0, -1}, random, counts);
+  }
+
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
+  MediumPath path = medium->path();
+  LightCellKeys keys{*scene};
+  Random random{1};
+  TraceCounts counts;
+};
+
 /// The cells of level 1 that ends are seen in from straight above, by how deeply they are dyed.
 std::map<int, std::set<uint64_t>> cellsOfEnds(double shadeVariation_percent) {
   Fabric fabric = test::whiteCotton();
@@ -24,18 +43,12 @@ std::map<int, std::set<uint64_t>> cellsOfEnds(double shadeVariation_percent) {
   fabric.render.resolution = 2;
   fabric.drape.width_mm = 20;
   fabric.drape.height_mm = 2;
-  const auto scene = test::sceneOf(fabric);
-  const auto medium = makeMedium(*scene, 1e9, Task{});
-  MediumPath path = medium->path();
-  LightCellKeys keys(*scene);
-  Random random(1);
-  TraceCounts counts;
+  FromAbove above(test::sceneOf(fabric));
   std::map<int, std::set<uint64_t>> cells;
   for (float x = -9; x < 9; x += 0.1f) {
-    path.begin({{x, 0.1f, 5}, -1});
-    const auto met = path.collide({0, 0, -1}, random, counts);
+    const auto met = above.meet(x, 0.1f, 5);
     if (!met || met->yarnId.system != System::warp) continue;
-    cells[shadeClass(System::warp, met->yarnId.index)].insert(keys.of(*met).keys[1]);
+    cells[shadeClass(System::warp, met->yarnId.index)].insert(above.keys.of(*met).keys[1]);
   }
   return cells;
 }
@@ -63,18 +76,13 @@ TEST(LightCellKeys, KeepThreadsThatAreDisplacedApart) {
   fabric.yarns[0].count_tex = 8;
   fabric.warpSpacing = {1, 1, 2};
   fabric.render.resolution = 2;
-  const auto scene = test::sceneOf(fabric);
-  const auto medium = makeMedium(*scene, 1e9, Task{});
-  MediumPath path = medium->path();
-  LightCellKeys keys(*scene);
-  Random random(1);
-  TraceCounts counts;
+  FromAbove above(test::sceneOf(fabric));
   std::array<std::set<uint64_t>, 3> cells;  // of level 3, by the place of the end in the spacing
   for (int i = 0; i < 4000; ++i) {
-    path.begin({{8 * random.uniform() - 4, 8 * random.uniform() - 4, 5}, -1});
-    const auto met = path.collide({0, 0, -1}, random, counts);
+    const float x = 8 * above.random.uniform() - 4, y = 8 * above.random.uniform() - 4;
+    const auto met = above.meet(x, y, 5);
     if (met && met->yarnId.system == System::warp)
-      cells[static_cast<size_t>(met->yarnId.index) % 3].insert(keys.of(*met).keys[3]);
+      cells[static_cast<size_t>(met->yarnId.index) % 3].insert(above.keys.of(*met).keys[3]);
   }
   for (size_t a = 0; a < 3; ++a) {
     EXPECT_GT(cells[a].size(), 1u);
@@ -97,23 +105,17 @@ std::shared_ptr<const Scene> onFolds() {
 // 80 degrees a tenth of a millimetre is .06 radians, a quarter of a step, so that half of all may change.
 TEST(LightCellKeys, ChangeBitByBitOverFolds) {
   constexpr int kJitters = 8;  // each way
-  const auto scene = onFolds();
-  const auto medium = makeMedium(*scene, 1e9, Task{});
-  MediumPath path = medium->path();
-  LightCellKeys keys(*scene);
-  Random random(1);
-  TraceCounts counts;
+  FromAbove above(onFolds());
   std::array<std::vector<uint64_t>, 2> before;  // by system
   std::array<float, 2> at_mm = {-1e9f, -1e9f};
   int compared = 0;
   for (float x = -20; x < 20; x += 0.02f) {
-    path.begin({{x, 0.1f, 50}, -1});
-    const auto met = path.collide({0, 0, -1}, random, counts);
+    const auto met = above.meet(x, 0.1f, 50);
     if (!met) continue;
     std::vector<uint64_t> now;
     for (int i = 0; i < kJitters * kJitters; ++i) {
       const glm::vec2 jitter = (glm::vec2(i % kJitters, i / kJitters) + 0.5f) / float{kJitters} - 0.5f;
-      now.push_back(keys.of(*met, jitter).keys[kLieLevel]);
+      now.push_back(above.keys.of(*met, jitter).keys[kLieLevel]);
     }
     const auto system = static_cast<size_t>(met->yarnId.system);
     if (x - at_mm[system] < 0.1f) {
