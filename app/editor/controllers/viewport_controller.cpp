@@ -217,6 +217,7 @@ void ViewportController::tellProbe(WidgetProbe& probe, int yarn) {
   static constexpr const char* kInsetPhases[] = {"closed",    "waiting", "needless", "laying",
                                                  "too_large", "failed",  "tracing",  "converged"};
   probe.fact("lens", kInsetPhases[static_cast<int>(status.inset.phase)]);
+  probe.fact("fit", view_.fitWanted ? "awaited" : "done");
   probe.fact("lens_tool", view_.inset.placed ? "placed" : view_.inset.on ? "chosen" : "off");
   probe.fact("lens_samples", std::to_string(inset ? inset->fibres->samples : 0));
   probe.fact("lens_generation", std::to_string(inset ? inset->fibres->generation : 0));

@@ -139,7 +139,7 @@ TEST_F(Sight, FlatRepeatsFollowTheCloth) {
 TEST_F(Sight, AnotherDrapeIsFitted) {
   for (const char* const drape : {"Folds", "Cushion", "Cylinder", "Skirt", "Flat"}) {
     editor.edits(drape, [&] { editor.choose("view.drape", drape); });
-    editor.untilPictured();
+    editor.until("how large it is has been told", [&] { return editor.fact("fit") == "done"; });
     const Camera chosen = editor.saved().camera;
     editor.key("f");
     editor.frame();
@@ -154,7 +154,7 @@ TEST_F(Sight, ADrapeThatIsChosenOfFlatClothIsSeenFromWhereItWas) {
     view("menu.flat");
     editor.click("menu.flat_repeat");
     editor.edits(drape, [&] { editor.choose("view.drape", drape); });
-    editor.untilPictured();
+    editor.until("how large it is has been told", [&] { return editor.fact("fit") == "done"; });
     const Camera chosen = editor.saved().camera;
     EXPECT_EQ(chosen.elevation_deg, before.elevation_deg) << drape;
     EXPECT_EQ(chosen.azimuth_deg, before.azimuth_deg) << drape;
