@@ -9,6 +9,10 @@ using Rgb = glm::vec3;
 
 /// Which set of yarns: the warp (ends, along y) or the weft (picks, along x).
 enum class System { warp = 0, weft = 1 };
+/// The set of yarns that those of `system` cross.
+constexpr System crossSystem(System system) {
+  return system == System::warp ? System::weft : System::warp;
+}
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr auto kPiF = static_cast<float>(kPi);

@@ -34,7 +34,7 @@ Fabric plainClothOf(const Fabric& fabric, int yarn) {
 /// A cell in which the yarn lies; none where the cloth does not use it.
 std::optional<YarnCellKey> cellOf(const ClothGeometry& cloth, const Fabric& fabric, int yarn) {
   for (const System system : {System::warp, System::weft}) {
-    const std::vector<int>& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
+    const std::vector<int>& sequence = fabric.sequence(system);
     const auto found = std::find(sequence.begin(), sequence.end(), yarn);
     if (found == sequence.end()) continue;
     const auto index = static_cast<int>(found - sequence.begin());

@@ -195,6 +195,12 @@ struct Fabric {
   std::shared_ptr<const WifOrigin> wif;  ///< what a weaving file said beyond all this; null: it came from none
   UnknownKeys unknown;
 
+  // What belongs to the threads of one system: warpSequence or weftSequence, warpSpacing or weftSpacing, and the
+  // distance between neighbouring threads.
+  const std::vector<int>& sequence(System system) const { return system == System::warp ? warpSequence : weftSequence; }
+  const std::vector<double>& spacing(System system) const { return system == System::warp ? warpSpacing : weftSpacing; }
+  double pitch_mm(System system) const { return system == System::warp ? warpPitch_mm() : weftPitch_mm(); }
+
   int warpYarn(int end) const;  ///< index of the yarn of that end; any integer
   int weftYarn(int pick) const;
   double warpPitch_mm() const { return 10.0 / ends_per_cm; }   ///< distance between neighbouring ends (along x)

@@ -139,16 +139,12 @@ double tidyCentimetres(double mm) {
   return std::max(1e-6, std::round(mm * 1e5) / 1e6);
 }
 
-const std::vector<double>& spacingOf(const Fabric& fabric, System system) {
-  return system == System::warp ? fabric.warpSpacing : fabric.weftSpacing;
-}
-
 /// The sizes that the fabric has: its spacing, and the yarns' diameters.
 WifSizes ownSizes(const Fabric& fabric, System system, int threads) {
   WifSizes sizes;
-  const double pitch_mm = system == System::warp ? fabric.warpPitch_mm() : fabric.weftPitch_mm();
+  const double pitch_mm = fabric.pitch_mm(system);
   sizes.spacing = tidyCentimetres(pitch_mm);
-  if (const std::vector<double>& spacing = spacingOf(fabric, system); !displacements(spacing).empty()) {
+  if (const std::vector<double>& spacing = fabric.spacing(system); !displacements(spacing).empty()) {
     const auto count = static_cast<double>(spacing.size());
     const double unit_mm = pitch_mm * count / std::accumulate(spacing.begin(), spacing.end(), 0.0);
     for (int thread = 0; thread < threads; ++thread)
@@ -202,9 +198,9 @@ void setSizes(const Fabric& fabric, System system, int threads, WifSizes& sizes,
   const bool isWarp = system == System::warp;
   const bool isUntouched = nearly(isWarp ? fabric.ends_per_cm : fabric.picks_per_cm, read.threads_per_cm) &&
                            nearly(meanDiameter_mm(fabric, system), read.diameter_mm) &&
-                           spacingOf(fabric, system) == read.spacing;
+                           fabric.spacing(system) == read.spacing;
   if (!isUntouched || sizes == WifSizes{}) {
-    if (unevenSpacing(sizes, read.threads, "", false) && spacingOf(fabric, system).empty())
+    if (unevenSpacing(sizes, read.threads, "", false) && fabric.spacing(system).empty())
       remarks.push_back(
           fmt::format("{} lay unevenly in the file that the cloth is from; sett or yarns are others "
                       "now, and all are written at one distance.",

@@ -17,14 +17,10 @@ namespace {
 
 using Warnings = std::vector<WifWarning>;
 
-const std::vector<int>& sequenceOf(const Fabric& fabric, System system) {
-  return system == System::warp ? fabric.warpSequence : fabric.weftSequence;
-}
-
 /// The yarn that most of those threads have that the file makes as thick as most. Yarns of many colours may all be of
 /// that thickness, and each be rarer than one that is thick or thin.
 int usualYarn(const Fabric& fabric, System system) {
-  const std::vector<int>& sequence = sequenceOf(fabric, system);
+  const std::vector<int>& sequence = fabric.sequence(system);
   const bool isWarp = system == System::warp;
   const WifSizes& sizes = isWarp ? fabric.wif->rest.warp : fabric.wif->rest.weft;
   const std::vector<double> thickness = relativeThickness(sizes, isWarp ? fabric.wif->ends : fabric.wif->picks);
@@ -52,7 +48,7 @@ void scaleYarns(Fabric& fabric, const WifSett& sett, Warnings& warnings) {
   bool held = false;
   for (const auto& [system, factor] : scales) {
     if (!factor) continue;
-    for (const int index : sequenceOf(fabric, system)) {
+    for (const int index : fabric.sequence(system)) {
       if (done[index]) continue;
       done[index] = true;
       Yarn& yarn = fabric.yarns[index];

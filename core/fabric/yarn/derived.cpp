@@ -24,7 +24,7 @@ namespace {
 /// Mean of f(yarn, its fibre) over the ends or picks of a system.
 template <class F>
 double meanOverYarns(const Fabric& fabric, System system, F&& f) {
-  const std::vector<int>& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
+  const std::vector<int>& sequence = fabric.sequence(system);
   double sum = 0;
   for (const int index : sequence) {
     const Yarn& yarn = fabric.yarns[index];
@@ -129,7 +129,7 @@ Floats floats(const Weave& weave) {
 }
 
 double floatLength_mm(const Fabric& fabric, System system, int cells) {
-  return cells * (system == System::warp ? fabric.weftPitch_mm() : fabric.warpPitch_mm());
+  return cells * fabric.pitch_mm(crossSystem(system));
 }
 
 CrossingShape crossingShape(const Fabric& fabric) {
@@ -174,8 +174,7 @@ std::vector<double> threadDiameters_mm(const Fabric& fabric, System system) {
   std::vector<double> ofYarns;
   for (const Yarn& yarn : fabric.yarns) ofYarns.push_back(yarnDiameter_mm(yarn, meanFibre(yarn, fabric.fibres)));
   std::vector<double> ofThreads;
-  for (const int yarn : system == System::warp ? fabric.warpSequence : fabric.weftSequence)
-    ofThreads.push_back(ofYarns[yarn]);
+  for (const int yarn : fabric.sequence(system)) ofThreads.push_back(ofYarns[yarn]);
   return ofThreads;
 }
 

@@ -120,7 +120,7 @@ void CellCodes::readOf(System system, int across, int along, const WarpOver& war
                        std::span<ShapeCode> codes) const {
   const bool warp = system == System::warp;
   const int alongCount = warp ? weave_.picks() : weave_.ends();
-  const std::vector<int>& others = kinds(warp ? System::weft : System::warp);
+  const std::vector<int>& others = kinds(crossSystem(system));
   const ShapeCode own = static_cast<ShapeCode>(kind(system, across)) << (3 * kNodeBits);
 
   // All slide along the yarn: the sides of the crossings in reach, what those of the yarns beside make of each, which

@@ -36,10 +36,6 @@ std::shared_ptr<const YarnModel> reused(const std::vector<std::shared_ptr<const 
   return nullptr;
 }
 
-System otherThan(System system) {
-  return system == System::warp ? System::weft : System::warp;
-}
-
 }  // namespace
 
 YarnTable::YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task,
@@ -61,10 +57,10 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
   // Outlines first: a yarn's path depends on the outlines of those it crosses.
   for (const System system : {System::warp, System::weft}) {
     SystemYarns& of = systems_[static_cast<size_t>(system)];
-    of.sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
+    of.sequence = fabric.sequence(system);
     of.models.resize(classCount_);
-    const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
-    const double crossPitch = system == System::warp ? warpPitch_mm_ : weftPitch_mm_;
+    const double pitch = fabric.pitch_mm(crossSystem(system));
+    const double crossPitch = fabric.pitch_mm(system);
     for (const Yarn* yarn : yarnOf) {
       YarnGeometry& outline =
           of.outlines.emplace_back(outlineYarn(withFinish(*yarn, fabric), meanFibre(*yarn, fabric.fibres), pitch,
@@ -89,7 +85,7 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
   for (const System system : {System::warp, System::weft})
     for (YarnGeometry& outline : systems_[static_cast<size_t>(system)].outlines) {
       outline.evenness.displaced_mm = of(system).threads.farthest_mm();
-      outline.evenness.crossingsDisplaced_mm = of(otherThan(system)).threads.farthest_mm();
+      outline.evenness.crossingsDisplaced_mm = of(crossSystem(system)).threads.farthest_mm();
     }
 
   for (const System system : {System::warp, System::weft}) {
@@ -125,7 +121,7 @@ ThreadKinds YarnTable::spaced(System system, const std::vector<int>& classes, co
     half_mm[c] = (1 - kPressedIn) * outline.halfWidth_mm() + outline.evenness.crowding.most_mm;
     for (const int other : others)
       forEachState([&](int state, int otherState) {
-        const PathNode over = node(otherThan(system), other, {c, true, state, otherState});
+        const PathNode over = node(crossSystem(system), other, {c, true, state, otherState});
         climb_mm[c] = std::max<double>(climb_mm[c], over.height_mm);
       });
   }
@@ -144,7 +140,7 @@ bool YarnTable::isSketched() const {
 
 void YarnTable::findThickness() {
   for (const System system : {System::warp, System::weft}) {
-    const System otherSystem = otherThan(system);
+    const System otherSystem = crossSystem(system);
     for (int own = 0; own < classCount_; ++own)
       for (int other = 0; other < classCount_; ++other) {
         if (!of(system).models[own] || !of(otherSystem).models[other]) continue;
@@ -199,7 +195,7 @@ PathNode YarnTable::node(System system, int own, const CellShape::Node& at) cons
 YarnCellKey YarnTable::shapeKey(System system, const CellShape& shape) const {
   const ThreadKind& own = of(system).threads.kinds[static_cast<size_t>(shape.own)];
   const auto nodeAt = [&](CellShape::Node at) {
-    const ThreadKind& crossed = of(otherThan(system)).threads.kinds[static_cast<size_t>(at.crossed)];
+    const ThreadKind& crossed = of(crossSystem(system)).threads.kinds[static_cast<size_t>(at.crossed)];
     at.crossed = crossed.geometryClass;
     PathNode place = node(system, own.geometryClass, at);
     place.aside_mm += system == System::warp ? own.displaced_mm : -own.displaced_mm;
@@ -262,7 +258,7 @@ std::optional<KindNames> YarnTable::namesOfKinds(const YarnTable& other) const {
     return kinds;
   };
   for (const System system : {System::warp, System::weft}) {
-    const System otherSystem = otherThan(system);
+    const System otherSystem = crossSystem(system);
     const auto own = static_cast<size_t>(system), crossed = 1 - own;
     const std::vector<int> mine = classes(*this, system, here[own]), others = classes(other, system, there[own]);
     const std::vector<int> over = classes(*this, otherSystem, here[crossed]),
@@ -306,7 +302,7 @@ bool YarnTable::sameNodes(const YarnTable& other) const {
   if (crossings_ == other.crossings_) return true;
   bool same = true;
   for (const System system : {System::warp, System::weft}) {
-    const auto& crossedYarns = of(system == System::warp ? System::weft : System::warp).models;
+    const auto& crossedYarns = of(crossSystem(system)).models;
     for (int own = 0; own < classCount_; ++own)
       for (int crossed = 0; crossed < classCount_; ++crossed) {
         if (!of(system).models[own] || !crossedYarns[crossed]) continue;
