@@ -82,6 +82,7 @@ struct LiveRenderer::Workers {
   using Builder = Worker<ViewRequest, std::monostate>;  // what it makes goes to the tracer and into `status`
   using Clock = std::chrono::steady_clock;
   void build(const ViewRequest& request, Builder::Job& job);
+  void setBuilding(bool so);
   void tellProgress(double fraction, Clock::time_point& told);
   void tellBuilt(const ViewRequest& request, const std::shared_ptr<const Scene>& made, const Scene* before,
                  const std::string& error, double seconds);
@@ -150,9 +151,15 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job)
     tracer.show({made, request.width, request.height, request.generation});
     layFibres();
   }
+  setBuilding(false);  // only now, lest a sketch that is finished pass for a picture that is
   wake();
   if (made.scene) recent.keep(std::move(built));
   count();
+}
+
+void LiveRenderer::Workers::setBuilding(bool so) {
+  std::lock_guard lock(mutex);
+  building = so;
 }
 
 /// Says how far a build is, now and then: a quick one says nothing. `told`: when that was last.
@@ -173,7 +180,6 @@ void LiveRenderer::Workers::tellProgress(double fraction, Clock::time_point& tol
 void LiveRenderer::Workers::tellBuilt(const ViewRequest& request, const std::shared_ptr<const Scene>& made,
                                       const Scene* before, const std::string& error, double seconds) {
   std::lock_guard lock(mutex);
-  building = false;
   status.buildProgress = 1;
   status.error = error;
   buildMayBeCancelled = made || !error.empty();
@@ -193,9 +199,9 @@ void LiveRenderer::Workers::showSketch(const ViewRequest& request, std::shared_p
                                        Builder::Job& job) {
   Traceable sketch{first, makeLiveMedium(*first, request.visibility, task)};
   if (!sketch.medium) return;
+  setBuilding(true);
   tracer.show({std::move(sketch), request.width, request.height, request.generation, true});
   std::lock_guard lock(mutex);
-  building = true;
   if (!first->cloth->volume->geometry().isSketched()) woven = std::move(first);
   if (builder.isWaiting()) job.giveWay();
   buildMayBeCancelled = true;

@@ -77,7 +77,14 @@ def files_and_views_last(editor):
     editor.leave()
     editor.start(PROGRAM, [os.path.join(editor.home, "one.json")])
     editor.wait_for_picture()
-    expect("snapshot.item_0" not in editor.widgets(), "a removed view is back")
+    views = os.path.join(editor.data, "views")
+    before = set(os.listdir(views))
+    editor.key("k")
+    # One worker reads what was kept and writes what is kept anew, in this order.
+    editor.wait_until("another view is on the disk",
+                      lambda: any(name.endswith(".png") for name in set(os.listdir(views)) - before))
+    editor.wait_until("it is shown", lambda: "snapshot.item_0" in editor.widgets())
+    expect("snapshot.item_1" not in editor.widgets(), "a removed view is back")
 
 
 def test():

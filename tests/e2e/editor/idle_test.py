@@ -78,8 +78,8 @@ def test():
         editor.wait_until("the yarn is seen close up", lambda: editor.fact("yarn.close_up") == "there")
         editor.click_at(WIDTH - 3, HEIGHT - 3)  # the last that somebody does
         samples = editor.fact("shown_samples")
+        nothing_between_them(editor)  # first, as workers wake it until they have come to their end
         a_few_frames_a_wake(editor)
-        nothing_between_them(editor)
         none_of_them_is_drawn(editor)
         expect(editor.fact("shown_samples") == samples, "a finished picture gets more samples")
 

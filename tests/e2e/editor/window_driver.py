@@ -245,9 +245,13 @@ class Editor:
         return file
 
     def wait_for_picture(self):
-        """Until what is shown is of the newest state of the fabric."""
-        self.wait_until("the picture follows the fabric",
-                        lambda: self.number("shown_generation") == self.number("generation"))
+        """Until what is shown is of the newest state of the fabric, and no sketch of it."""
+        def follows():
+            facts = self.dump()["facts"]
+            newest = int(facts.get("generation", 0))
+            return newest > 0 and facts["shown_generation"] == facts["generation"] and facts["shown_sketch"] == "no"
+
+        self.wait_until("the picture follows the fabric", follows)
 
     def wait_for_end(self):
         try:

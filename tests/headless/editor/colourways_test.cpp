@@ -64,7 +64,7 @@ TEST(Colourways, AYarnWithAFibreOfItsOwnHasItsColourInEach) {
 
 TEST(Colourways, GoOnPaper) {
   HeadlessEditor editor;
-  editor.start(offered(1));
+  editor.start(offered(6));  // so many that they are not done before anybody has looked twice
   openDialog(editor);
   editor.click("colourways.print");
   const std::string file = editor.homeFile("colourways.pdf");

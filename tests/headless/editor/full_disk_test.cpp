@@ -158,6 +158,7 @@ TEST(OnAFullDiskWithoutADialog, AViewThatWillNotLastIsToldOf) {
   editor.key("j");
   editor.until("the lamp takes room from what is said", [&] { return editor.shows("status.lamp"); });
   // A view of a picture that is not at rest is kept anew when that is clearer, and then it lasts.
+  editor.untilPictured();
   editor.until("the picture is at rest", [&] { return editor.number("shown_samples") == 1; });
   {
     const FullDisk full(FullDisk::kFewerThanAnyFile);

@@ -88,7 +88,8 @@ TEST_F(SpoiltFolders, PicturesThatAreNoneAreNoKeptViews) {
   EXPECT_FALSE(editor.shows("snapshot.item_0")) << "a picture that is none is a kept view";
   editor.key("k");
   editor.until("a view is kept all the same", [&] { return editor.shows("snapshot.item_0") && pictures() != before; });
-  editor.frame();
+  editor.frame();  // in which what has been read is taken
+  editor.frame();  // in which it would be shown
   EXPECT_FALSE(editor.shows("snapshot.item_1")) << "a picture that is none is a kept view beside it";
 }
 

@@ -78,6 +78,7 @@ TEST_F(WovenPicture, ColoursMergeByDraggingOneOnAnother) {
 }
 
 TEST_F(WovenPicture, TheClothIsShownInItsYarnsBeforehand) {
+  editor.until("the yarns' colours are known", [&] { return editor.fact("yarn_colours") == "known"; });
   openPicture();
   const Pixels8 before = preview();
   std::set<std::array<uint8_t, 3>> colours;

@@ -55,12 +55,12 @@ TEST_F(LiveRecolour, BackInItsOwnColoursThePictureGoesOn) {
   Fabric darker = fabric;
   darker.fibres[0].absorption_per_mm = Rgb(200, 150, 20);
   darker.light.intensity = 2;
-  const int before = renderer.frame()->samples;
   show(darker, 2);
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
   show(fabric, 3);
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 3; }));
-  EXPECT_FALSE(renderer.frame()->quality == PreviewQuality::recoloured && renderer.frame()->samples < before);
+  // Of the picture in these colours or, where the one in darker colours has become as clear by then, of that.
+  EXPECT_GE(renderer.frame()->samples, 4);
   Fabric renamed = fabric;
   renamed.name = "another name";
   const int samples = renderer.frame()->samples;
