@@ -2,7 +2,7 @@
 # Clean rooms: minimal Debian systems made for one proof, in a folder of their own, and thrown away. A change root keeps
 # the host's files out, and namespaces of its own keep its processes and mounts from outliving it: when a command in a
 # room ends or is killed, so do all that it has started. Of the host nothing gets in but what is put there on purpose, its
-# resolver and apt's own settings (proxies, certificates). To be sourced after app/setup.sh.
+# resolver, its proxies and apt's own settings. To be sourced after app/setup.sh.
 
 : "${root:?app/setup.sh is sourced first}"
 room=""                  # the folder of the room that is open

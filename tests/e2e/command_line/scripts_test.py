@@ -76,7 +76,8 @@ class OtherScripts(SmallTree):
 
     def test_a_word_that_they_do_not_know(self):
         (self.folder / "tests/fuzz/corpus/drafts").mkdir(parents=True)
-        for name in ("tests/gates", "tests/fuzz/run"):
+        for name in ("tests/gates", "tests/fuzz/run", "tests/handover/run", "app/package/make", ".ci/run"):
+            (self.folder / name).parent.mkdir(exist_ok=True)
             shutil.copy(ROOT / name, self.folder / name)
         subprocess.run(["git", "init", "--quiet"], cwd=self.folder, check=True)
         for words, said in (
@@ -85,6 +86,12 @@ class OtherScripts(SmallTree):
             (("tests/gates", "--since"), 'no commit is called ""'),
             (("tests/gates", "--most", "few"), "--most takes a number of files"),
             (("tests/fuzz/run", "draughts"), 'no fuzzer is called "draughts"; there are: tests/fuzz/corpus/drafts'),
+            (("tests/fuzz/run", ""), 'no fuzzer is called ""'),
+            (("tests/fuzz/run", "../corpus/drafts"), 'no fuzzer is called "../corpus/drafts"'),
+            (("tests/handover/run", "--blender", "x"), "usage: tests/handover/run "),
+            (("tests/handover/run", "--keep"), "--keep: expected a name"),
+            (("app/package/make", "trixie"), 'app/package/make takes no words, got "trixie"'),
+            ((".ci/run", "quick"), '.ci/run takes no words, got "quick"'),
             (("tests/fuzz/run", "--runs", "0"), '--runs: expected a number, got "0"'),
             (("tests/fuzz/run", "--seed"), '--seed: expected a number, got ""'),
         ):
@@ -133,6 +140,15 @@ class Night(SmallTree):
         (line,) = done.stderr.splitlines()
         self.assertIn('"thread" is no part of the night; there are: ci ', line)
         self.assertFalse((self.folder / "calls").exists())
+
+    def test_numbers_that_are_none_are_told_before_anything_is_done(self):
+        for name, number in (("REPEATS", "0"), ("REPEATS", "2x"), ("REPEATS", "many"), ("BUSY", "some")):
+            with self.subTest(name=name, number=number):
+                done = self.night("tsan", "suites", **{f"LOOMLIGHT_{name}": number})
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                (line,) = done.stderr.splitlines()
+                self.assertIn(f'got "{number}"' if name == "REPEATS" else f'and "{number}"', line)
+                self.assertFalse((self.folder / "calls").exists())
 
     def test_it_goes_on_after_a_failure_and_fails(self):
         self.ends_with("tests/gates", 1)
