@@ -130,7 +130,8 @@ class Hand:
         for _ in range(MOST_UNDONE):
             if self.editor.fact("dirty") == "no":
                 return
-            self.editor.key("ctrl+z")
+            late = self.editor.fact("dialog") != "none"  # a message of work that ended only now
+            self.editor.key("Escape" if late else "ctrl+z")
         raise Failure(f"{MOST_UNDONE} steps back are not at the start; facts: {self.editor.dump()['facts']}")
 
 
