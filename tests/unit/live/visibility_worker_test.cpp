@@ -214,7 +214,8 @@ TEST(VisibilityWorker, EndsOnTheSameTablesByWhateverWay) {
 
 TEST(WorthTaking, IsWhatIsOfOtherYarnsOrClearlyBetter) {
   const auto set = std::make_shared<const BvdfSet>();
-  const auto baked = [](uint64_t bake, uint64_t rays, bool finished, std::shared_ptr<const BvdfSet> tables = nullptr) {
+  const auto baked = [](uint64_t bake, uint64_t rays, bool finished,
+                        const std::shared_ptr<const BvdfSet>& tables = nullptr) {
     BakedVisibility made;
     made.tables = tables ? tables : std::make_shared<const BvdfSet>();
     made.bake = bake;
