@@ -88,7 +88,9 @@ class OtherScripts(SmallTree):
             (("tests/fuzz/run", "draughts"), 'no fuzzer is called "draughts"; there are: tests/fuzz/corpus/drafts'),
             (("tests/fuzz/run", ""), 'no fuzzer is called ""'),
             (("tests/fuzz/run", "../corpus/drafts"), 'no fuzzer is called "../corpus/drafts"'),
-            (("tests/handover/run", "--blender", "x"), "usage: tests/handover/run "),
+            (("tests/handover/run", "--keep", "x", "--blender"),
+             "usage: tests/handover/run [--loomlight PROGRAM] [--u3m-schema FILE] [--python PROGRAM] [--keep FOLDER]; "
+             '"--blender" is none of these'),
             (("tests/handover/run", "--keep"), "--keep: expected a name"),
             (("app/package/make", "trixie"), 'app/package/make takes no words, got "trixie"'),
             ((".ci/run", "quick"), '.ci/run takes no words, got "quick"'),
@@ -142,7 +144,7 @@ class Night(SmallTree):
         self.assertFalse((self.folder / "calls").exists())
 
     def test_numbers_that_are_none_are_told_before_anything_is_done(self):
-        for name, number in (("REPEATS", "0"), ("REPEATS", "2x"), ("REPEATS", "many"), ("BUSY", "some")):
+        for name, number in (("REPEATS", "0"), ("REPEATS", "2x"), ("REPEATS", "many"), ("BUSY", "some"), ("BUSY", "08")):
             with self.subTest(name=name, number=number):
                 done = self.night("tsan", "suites", **{f"LOOMLIGHT_{name}": number})
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
