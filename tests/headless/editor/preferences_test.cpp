@@ -80,10 +80,9 @@ TEST_F(PreferencesTest, ThePictureRestsAtTheSamplesAskedFor) {
   editor.leave();
   EXPECT_EQ(readSettings(settingsFile()).limits.samples, 2);
   editor.startOn(file);
-  editor.until("the picture is finished, and shown", [&] {
-    return editor.fact("phase") == "converged" && editor.number("generation") > 0 &&
-           editor.number("shown_generation") == editor.number("generation") && editor.number("shown_samples") >= 2;
-  });
+  editor.untilPictured();
+  editor.until("the picture is finished, and shown",
+               [&] { return editor.fact("phase") == "converged" && editor.number("shown_samples") >= 2; });
   EXPECT_EQ(editor.fact("shown_samples"), "2");
 }
 

@@ -31,6 +31,10 @@ class Sight : public testing::Test {
     const double seen_mm = 2 * camera.distance_mm * std::tan(camera.fov_deg * kPi / 360);
     return seen_mm / ((r.y1 - r.y0) / (96 / 25.4));
   }
+  /// A drape is fitted when its size is known, which may be after its picture.
+  void untilFitted() {
+    editor.until("the drape is fitted", [&] { return editor.fact("fit") == "done"; });
+  }
   HeadlessEditor editor{{1280, 900, 1}};
   Weaver weaver{editor};
 };
@@ -139,7 +143,7 @@ TEST_F(Sight, FlatRepeatsFollowTheCloth) {
 TEST_F(Sight, AnotherDrapeIsFitted) {
   for (const char* const drape : {"Folds", "Cushion", "Cylinder", "Skirt", "Flat"}) {
     editor.edits(drape, [&] { editor.choose("view.drape", drape); });
-    editor.until("how large it is has been told", [&] { return editor.fact("fit") == "done"; });
+    untilFitted();
     const Camera chosen = editor.saved().camera;
     editor.key("f");
     editor.frame();
@@ -154,7 +158,7 @@ TEST_F(Sight, ADrapeThatIsChosenOfFlatClothIsSeenFromWhereItWas) {
     view("menu.flat");
     editor.click("menu.flat_repeat");
     editor.edits(drape, [&] { editor.choose("view.drape", drape); });
-    editor.until("how large it is has been told", [&] { return editor.fact("fit") == "done"; });
+    untilFitted();
     const Camera chosen = editor.saved().camera;
     EXPECT_EQ(chosen.elevation_deg, before.elevation_deg) << drape;
     EXPECT_EQ(chosen.azimuth_deg, before.azimuth_deg) << drape;
