@@ -105,30 +105,64 @@ class OtherScripts(SmallTree):
                 self.assertFalse((self.folder / "asked").exists(), "packages were looked at first")
 
 
-class Night(SmallTree):
-    """tests/nightly, which goes on after a failure and says of each part how it ended."""
-
-    SCRIPTS = (".ci/run", "tests/run", "tests/gates", "tests/fuzz/run", "tests/clean_room", "tests/package_room",
-               "tests/arm_room", "tests/farm", "tests/handover/run")
+class ScriptOfScripts(SmallTree):
+    """One that calls others: each writes down that it was called, and ends as it is told to."""
 
     def setUp(self):
         super().setUp()
-        shutil.copy(ROOT / "tests/nightly", self.folder / "tests/nightly")
-        for script in self.SCRIPTS:
+        (self.folder / self.SCRIPT).parent.mkdir(exist_ok=True)
+        shutil.copy(ROOT / self.SCRIPT, self.folder / self.SCRIPT)
+        for script in self.CALLED:
             self.ends_with(script, 0)
 
-    def ends_with(self, script, status):
+    def ends_with(self, script, status, words=""):
+        """Where it is called with these words; without any, with whatever words."""
         file = self.folder / script
         file.parent.mkdir(exist_ok=True)
-        file.write_text(f'#!/bin/bash\necho "$0 $*" >>calls; exit {status}\n')
+        file.write_text(f'#!/bin/bash\necho "$0 $*" >>calls\n[[ "{words}" && "$*" != "{words}" ]] || exit {status}\n')
         file.chmod(0o755)
+
+    def calls(self):
+        return [line.rstrip() for line in (self.folder / "calls").read_text().splitlines()]
+
+
+class EveryChange(ScriptOfScripts):
+    """.ci/run, which fails where any of what it calls does."""
+
+    SCRIPT = ".ci/run"
+    CALLED = ("tests/gates", "tests/run", "tests/fuzz/run", "tests/clean_room")
+    CALLS = ("tests/gates scripts arrows names words sizes format", "tests/run --preset checked", "tests/fuzz/run --light",
+             "tests/gates --most 80 tidy", "tests/clean_room trixie", "tests/clean_room bookworm")
+
+    def setUp(self):
+        super().setUp()
+        for name in ("ci", "room"):
+            shutil.copy(ROOT / f"tests/{name}_packages.txt", self.folder / "tests")
+
+    def test_it_calls_all(self):
+        done = self.run_script(".ci/run")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(sorted(self.calls()), sorted(self.CALLS))
+
+    def test_a_failure_of_any_is_its_own(self):
+        for call in self.CALLS:
+            with self.subTest(call=call):
+                script, words = call.split(" ", 1)
+                self.ends_with(script, 3, words)
+                self.assertEqual(self.run_script(".ci/run").returncode, 3)
+                self.ends_with(script, 0)
+
+
+class Night(ScriptOfScripts):
+    """tests/nightly, which goes on after a failure and says of each part how it ended."""
+
+    SCRIPT = "tests/nightly"
+    CALLED = (".ci/run", "tests/run", "tests/gates", "tests/fuzz/run", "tests/clean_room", "tests/package_room",
+              "tests/arm_room", "tests/farm", "tests/handover/run")
 
     def night(self, *parts, **environment):
         (self.folder / "calls").unlink(missing_ok=True)
         return self.run_script("tests/nightly", *parts, **environment)
-
-    def calls(self):
-        return [line.rstrip() for line in (self.folder / "calls").read_text().splitlines()]
 
     def test_parts_that_are_named_run_alone(self):
         done = self.night("tsan", "rooms")
