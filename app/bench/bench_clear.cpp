@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "app/bench/bench_targets.h"
 #include "app/bench/clear_drag.h"
 #include "app/bench/clear_settings.h"
 #include "app/bench/machine_facts.h"
@@ -51,6 +53,54 @@ void expectKnown(const std::vector<std::string>& names) {
 std::string secondsText(double seconds) {
   return std::isfinite(seconds) ? fmt::format("{:.2f}", seconds) : "-";
 }
+
+/// Of a figure of many pictures: NaN where there is none.
+class OverPictures {
+ public:
+  void add(double value) {
+    sum_ += value;
+    worst_ = count_++ > 0 ? std::max(worst_, value) : value;
+  }
+  double mean() const { return sum_ / count_; }
+  double worst() const { return worst_; }
+
+ private:
+  double sum_ = 0, worst_ = std::numeric_limits<double>::quiet_NaN();
+  int count_ = 0;
+};
+
+/// How clear a picture must be how soon, of those that share their light, as the editor's do.
+class ClearTargets {
+ public:
+  void add(const ClearCase& of, const ClearCourse& course) {
+    if (!of.shared) return;
+    const bool isPlain = of.setting.drape == "flat" || of.setting.drape == "cylinder";
+    (isPlain ? plain_ : folded_).add(course.at(isPlain ? kPlain_s : kFolded_s));
+    stepBack_.add(course.worstStepBack());
+  }
+  void addDrag(const ClearCase& of, const DragCourse& course) {
+    if (of.shared && course.pictures > 0) drag_.add(course.worstFlip);
+  }
+
+  std::vector<Target> all() const {
+    using Kind = Target::Kind;
+    const auto flip = [](std::string what, double atLeast, double aim, double ours) {
+      return Target{std::move(what), "", "", Kind::flip, atLeast, aim, ours};
+    };
+    const std::string plain = fmt::format("flat and cylinder after {} s: FLIP", kPlain_s),
+                      folded = fmt::format("folds and skirts after {} s: FLIP", kFolded_s);
+    return {flip(plain + ", mean", 0.05, 0.03, plain_.mean()),
+            flip(plain + ", worst", 0.05, 0.03, plain_.worst()),
+            flip(folded + ", mean", 0.05, 0.03, folded_.mean()),
+            flip(folded + ", worst", 0.05, 0.03, folded_.worst()),
+            flip("in a drag: FLIP, worst", 0.15, 0.10, drag_.worst()),
+            {"worst step back", "", "", Kind::stepBack, 1.1, 1, stepBack_.worst()}};
+  }
+
+ private:
+  static constexpr double kPlain_s = 1, kFolded_s = 3;
+  OverPictures plain_, folded_, drag_, stepBack_;
+};
 
 static_assert(ClearBenchCommand::kLeastSide >= kLeastClearSide_px);
 
@@ -100,6 +150,7 @@ class ClearBench {
                    "FLIP, worst"},
                   drags_);
     }
+    addTargets(page_, "clear_targets", targets_.all());
     page_.csv("clear_course", {"cloth", "drape", "light", "edit", "light shared", "s", "samples", "FLIP"}, courses_);
     page_.paragraph(
         fmt::format("Measured on {}", machineFacts(command_.threads > 0 ? command_.threads : task_.threads)));
@@ -154,6 +205,7 @@ class ClearBench {
   }
 
   void add(const ClearCase& of, const ClearCourse& course, double referenceNoise) {
+    targets_.add(of, course);
     Row row = of.columns();
     row.push_back(course.points.empty() ? "-" : secondsText(course.points.front().since_s));
     row.push_back(fmt::format("{:.3f}", course.first()));
@@ -175,6 +227,7 @@ class ClearBench {
   }
 
   void addDrag(const ClearCase& of, const DragCourse& course) {
+    targets_.addDrag(of, course);
     Row& row = drags_.emplace_back(of.columns());
     row.insert(row.end(), {std::to_string(course.pictures), fmt::format("{:.3f}", course.interval_s),
                            fmt::format("{:.3f}", course.flip), fmt::format("{:.3f}", course.worstFlip)});
@@ -197,6 +250,7 @@ class ClearBench {
   Task task_;
   ReportPage page_;
   std::vector<Row> rows_, drags_, courses_;
+  ClearTargets targets_;
 };
 
 }  // namespace

@@ -22,6 +22,10 @@ std::string text(double value, Target::Kind kind) {
       return fmt::format("{:.0f}", value);
     case Target::Kind::milliseconds:
       return fmt::format("{:.3g} ms", value);
+    case Target::Kind::flip:
+      return fmt::format("{:.3f}", value);
+    case Target::Kind::stepBack:
+      return fmt::format("{:.2f} x", value);
   }
   return {};
 }

@@ -8,9 +8,9 @@ namespace loomlight {
 class ReportPage;
 
 /// A figure that the program must reach, beside what was reached before it. Ratios and rates are to be large,
-/// differences in percent, counts and times small.
+/// differences in percent and in FLIP, counts, times and steps back small.
 struct Target {
-  enum class Kind { ratio, perSecond, percent, count, milliseconds };
+  enum class Kind { ratio, perSecond, percent, count, milliseconds, flip, stepBack };
   std::string what;
   std::string report, prototype;  ///< as they are written; empty where nothing is known
   Kind kind = Kind::percent;
