@@ -97,12 +97,14 @@ need_megabytes() {
   fi
 }
 
-# As many compilers as there are cores, but no more than memory holds: the largest files take up to 2 GB each.
+# compilers_that_fit: so many find room in memory now: the largest files take up to 2 GB each.
+compilers_that_fit() { awk '/^MemAvailable:/ { print int($2 / (2 * 1024 * 1024)) }' /proc/meminfo; }
+
+# As many compilers as there are cores, but no more than memory holds.
 build_jobs() {
-  local cores memory_kb jobs
+  local cores jobs
   cores=$(nproc)
-  memory_kb=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo)
-  jobs=$((memory_kb / (2 * 1024 * 1024)))
+  jobs=$(compilers_that_fit)
   ((jobs < cores)) || jobs=$cores
   ((jobs > 0)) || jobs=1
   echo "$jobs"

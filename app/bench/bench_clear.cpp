@@ -72,10 +72,12 @@ class OverPictures {
 /// How clear a picture must be how soon, of those that share their light, as the editor's do.
 class ClearTargets {
  public:
-  void add(const ClearCase& of, const ClearCourse& course) {
+  /// Of a picture that was looked at for `watched_s`: what it was like later, nobody knows.
+  void add(const ClearCase& of, const ClearCourse& course, double watched_s) {
     if (!of.shared) return;
     const bool isPlain = of.setting.drape == "flat" || of.setting.drape == "cylinder";
-    (isPlain ? plain_ : folded_).add(course.at(isPlain ? kPlain_s : kFolded_s));
+    const double time_s = isPlain ? kPlain_s : kFolded_s;
+    if (time_s <= watched_s) (isPlain ? plain_ : folded_).add(course.at(time_s));
     stepBack_.add(course.worstStepBack());
   }
   void addDrag(const ClearCase& of, const DragCourse& course) {
@@ -205,7 +207,7 @@ class ClearBench {
   }
 
   void add(const ClearCase& of, const ClearCourse& course, double referenceNoise) {
-    targets_.add(of, course);
+    targets_.add(of, course, extent_.seconds);
     Row row = of.columns();
     row.push_back(course.points.empty() ? "-" : secondsText(course.points.front().since_s));
     row.push_back(fmt::format("{:.3f}", course.first()));

@@ -4,7 +4,8 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-// Embree 3 (Debian 12) and Embree 4 (Debian 13) differ in how a query is handed over; only this file knows how.
+// Embree 3 (Debian 12) and Embree 4 (Debian 13) differ in how a query is handed over and in who may build; only this
+// file knows how.
 #ifndef LOOMLIGHT_EMBREE_MAJOR
 #error "Embree is for the sources of this room alone: LOOMLIGHT_EMBREE_MAJOR is not defined"
 #elif LOOMLIGHT_EMBREE_MAJOR >= 4
@@ -36,6 +37,12 @@ inline void occluded(RTCScene scene, QueryContext& context, RTCRay& query) {
   arguments.context = &context;
   rtcOccluded1(scene, &query, &arguments);
 }
+/// Of as many as there are, those that may build. Where Embree 4 is told to stop, it throws out of a task, which
+/// another thread may have taken by then: now and then that one ends the program in TBB (seen with Embree 4.3 and
+/// oneTBB 2022, not with Embree 3.13 and 2021). One thread has nobody to take its tasks.
+inline int builderThreads(int /*threads*/) {
+  return 1;
+}
 #else
 using QueryContext = RTCIntersectContext;
 
@@ -47,6 +54,9 @@ inline void intersect(RTCScene scene, QueryContext& context, RTCRayHit& query) {
 }
 inline void occluded(RTCScene scene, QueryContext& context, RTCRay& query) {
   rtcOccluded1(scene, &context, &query);
+}
+inline int builderThreads(int threads) {
+  return threads;
 }
 #endif
 

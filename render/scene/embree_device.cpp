@@ -16,17 +16,6 @@ constexpr const char* kConfiguration = "threads=1";
 constexpr const char* kConfiguration = nullptr;
 #endif
 
-/// Where Embree 4 is told to stop, it throws out of a task, which another thread may have taken by then: now and then
-/// that one ends the program in TBB (seen with Embree 4.3 and oneTBB 2022, not with Embree 3.13 and 2021). One thread
-/// has nobody to take its tasks.
-int builderThreads([[maybe_unused]] int threads) {
-#if LOOMLIGHT_EMBREE_MAJOR >= 4
-  return 1;
-#else
-  return threads;
-#endif
-}
-
 }  // namespace
 
 EmbreeDevice::EmbreeDevice() : handle_(rtcNewDevice(kConfiguration)) {
@@ -41,7 +30,7 @@ EmbreeDevice::EmbreeDevice() : handle_(rtcNewDevice(kConfiguration)) {
 }
 
 void EmbreeDevice::commit(RTCScene scene, int threads) const {
-  withThreads(builderThreads(threads), [scene] { rtcCommitScene(scene); });
+  withThreads(embree::builderThreads(threads), [scene] { rtcCommitScene(scene); });
 }
 
 }  // namespace loomlight

@@ -25,16 +25,28 @@ class TestsRun(SmallTree):
         (line,) = done.stderr.splitlines()
         return line
 
-    def test_an_option_without_its_name(self):
-        for option in ("--preset", "-L"):
-            for words in ((option,), ("-R", "volume", option)):
+    def test_an_option_without_its_value(self):
+        for option in ("--preset", "-L", "-R", "--repeat"):
+            for words in ((option,), ("-E", "volume", option)):
                 with self.subTest(words=words):
-                    self.assertEqual(self.refusal(*words), f"loomlight: {option} takes a name")
+                    self.assertEqual(self.refusal(*words), f"loomlight: {option} takes a value")
 
     def test_a_word_that_is_no_option(self):
-        for words in (("volume",), ("-R", "volume", "threads"), ("--schedule-random", "volume")):
+        for words, wrong in ((("volume",), "volume"), (("-R", "volume", "threads"), "threads"),
+                             (("--schedule-random", "volume"), "volume"), (("--labl", "quick"), "--labl"),
+                             (("-R=volume",), "-R=volume"), (("-R", "volume", "--schedule-randm"), "--schedule-randm")):
             with self.subTest(words=words):
-                self.assertIn(f'"{words[-1]}" is no option', self.refusal(*words))
+                self.assertIn(f'"{wrong}" is no option', self.refusal(*words))
+
+    def test_options_are_handed_on_with_their_values(self):
+        self.tool("cmake", "touch .build/checked/build.ninja")
+        self.tool("ninja", "exit 0")
+        self.tool("ctest", 'echo "$@" >>calls; echo "Total Tests: 3"')
+        done = self.run_script("tests/run", "--preset=checked", "-R", "-volume", "--schedule-random", "-j4", "--label-regex",
+                               "quick", "--repeat", "until-fail:2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        last = (self.folder / "calls").read_text().splitlines()[-1]
+        self.assertRegex(last, r"^--preset checked -j \d+ -R -volume --schedule-random -j4 -L quick --repeat until-fail:2$")
 
     def test_words_that_choose_no_test(self):
         self.tool("cmake", "touch .build/release/build.ninja")
@@ -46,7 +58,8 @@ class TestsRun(SmallTree):
         self.assertEqual((self.folder / "calls").read_text().count("\n"), 1, "none is to run")
 
     def test_an_unknown_preset(self):
-        self.assertRegex(self.refusal("--preset", "fast"), '"fast"; there are: release .*clang')
+        for words in (("--preset", "fast"), ("--preset=fast",)):
+            self.assertRegex(self.refusal(*words), '"fast"; there are: release .*clang')
 
     def test_an_unknown_label_is_told_those_that_there_are(self):
         line = self.refusal("-L", "quik")
@@ -76,7 +89,8 @@ class OtherScripts(SmallTree):
 
     def test_a_word_that_they_do_not_know(self):
         (self.folder / "tests/fuzz/corpus/drafts").mkdir(parents=True)
-        for name in ("tests/gates", "tests/fuzz/run", "tests/handover/run", "app/package/make", ".ci/run"):
+        for name in ("tests/gates", "tests/fuzz/run", "tests/handover/run", "app/package/make", ".ci/run", "tests/room.sh",
+                     "tests/jobs.sh"):
             (self.folder / name).parent.mkdir(exist_ok=True)
             shutil.copy(ROOT / name, self.folder / name)
         subprocess.run(["git", "init", "--quiet"], cwd=self.folder, check=True)
@@ -105,13 +119,25 @@ class OtherScripts(SmallTree):
                 self.assertFalse((self.folder / "asked").exists(), "packages were looked at first")
 
 
-class ScriptOfScripts(SmallTree):
+class WaitsForProcesses(SmallTree):
+    def process_said(self, folder, name):
+        """The first process that a file of that name tells, as soon as it is told."""
+        for _ in range(int(HANGS_S / 0.05)):
+            said = "".join(file.read_text() for file in folder.glob(name))
+            if said.endswith("\n"):
+                return int(said)
+            time.sleep(0.05)
+        self.fail("nothing was begun")
+
+
+class ScriptOfScripts(WaitsForProcesses):
     """One that calls others: each writes down that it was called, and ends as it is told to."""
 
     def setUp(self):
         super().setUp()
-        (self.folder / self.SCRIPT).parent.mkdir(exist_ok=True)
-        shutil.copy(ROOT / self.SCRIPT, self.folder / self.SCRIPT)
+        for name in (self.SCRIPT, "tests/jobs.sh"):
+            (self.folder / name).parent.mkdir(exist_ok=True)
+            shutil.copy(ROOT / name, self.folder / name)
         for script in self.CALLED:
             self.ends_with(script, 0)
 
@@ -122,10 +148,36 @@ class ScriptOfScripts(SmallTree):
         file.write_text(f'#!/bin/bash\necho "$0 $*" >>calls\n[[ "{words}" && "$*" != "{words}" ]] || exit {status}\n')
         file.chmod(0o755)
 
+    def expect_end_with_it(self, called, stop, status, *words):
+        """What it has called, and what that has called in its turn, ends when the script is told to."""
+        (self.folder / called).write_text("#!/bin/bash\nsleep 1000 & echo $! >process; wait\n")
+        (self.folder / "process").unlink(missing_ok=True)
+        script = subprocess.Popen([self.SCRIPT, *words], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True,
+                                  env={**os.environ, "PATH": f"{self.folder}/tools:{os.environ['PATH']}"})
+        self.process_said(self.folder, "process")
+        script.send_signal(stop)
+        script.communicate(timeout=HANGS_S)
+        self.assertEqual(script.returncode, status)
+        self.assertEqual(self.processes_there(), [])
+        self.assertFalse((self.folder / "calls").exists(), "it has gone on to what comes next")
+
+    def processes_there(self):
+        """The words of those that run in the folder."""
+        there = []
+        for process in Path("/proc").glob("[0-9]*"):
+            try:
+                if os.readlink(process / "cwd") == str(self.folder.resolve()):
+                    there.append((process / "cmdline").read_bytes())
+            except OSError:
+                pass  # it has ended, or is nobody's business
+        return there
+
     def calls(self):
         return [line.rstrip() for line in (self.folder / "calls").read_text().splitlines()]
 
 
+@unittest.skipIf(os.geteuid() != 0, "it takes root, and says so")
 class EveryChange(ScriptOfScripts):
     """.ci/run, which fails where any of what it calls does."""
 
@@ -136,13 +188,32 @@ class EveryChange(ScriptOfScripts):
 
     def setUp(self):
         super().setUp()
-        for name in ("ci", "room"):
-            shutil.copy(ROOT / f"tests/{name}_packages.txt", self.folder / "tests")
+        for name in ("ci_packages.txt", "room_packages.txt", "room.sh"):
+            shutil.copy(ROOT / "tests" / name, self.folder / "tests")
+        self.tool("unshare", "exit 0")
 
     def test_it_calls_all(self):
         done = self.run_script(".ci/run")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(sorted(self.calls()), sorted(self.CALLS))
+
+    def test_where_memory_is_scarce_the_rooms_come_one_after_the_other(self):
+        self.tool("awk", "echo 3")
+        self.tool("nproc", "echo 2")
+        self.assertEqual(self.run_script(".ci/run").returncode, 0)
+        self.assertEqual(self.calls(), [*self.CALLS[:4], "tests/clean_room"])
+
+    def test_where_rooms_cannot_be_made_it_says_so_at_once(self):
+        self.tool("unshare", "exit 1")
+        done = self.run_script(".ci/run")
+        self.assertEqual((done.returncode, done.stdout), (77, ""), done.stderr)
+        self.assertRegex(done.stderr, "^loomlight: a clean room takes [^\n]*\n$")
+        self.assertFalse((self.folder / "calls").exists())
+
+    def test_what_it_calls_ends_with_it(self):
+        for stop, status in ((signal.SIGTERM, 143), (signal.SIGINT, 130)):
+            with self.subTest(stop=stop.name):
+                self.expect_end_with_it("tests/gates", stop, status)
 
     def test_a_failure_of_any_is_its_own(self):
         for call in self.CALLS:
@@ -169,6 +240,14 @@ class Night(ScriptOfScripts):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.calls(), ["tests/run --preset tsan", "tests/clean_room --all"])
         self.assertRegex(done.stdout, r"\Apassed: tests/run --preset tsan \(\d+ s\)\npassed: tests/clean_room --all \(\d+ s\)\n\Z")
+
+    def test_what_it_calls_ends_with_it(self):
+        for stop, status in ((signal.SIGTERM, 143), (signal.SIGINT, 130)):
+            with self.subTest(stop=stop.name):
+                self.expect_end_with_it(".ci/run", stop, status, "ci", "tsan")
+
+    def test_busy_loops_end_with_it(self):
+        self.expect_end_with_it("tests/run", signal.SIGTERM, 143, "suites")
 
     def test_a_part_that_there_is_not_is_told_those_that_there_are(self):
         done = self.night("tsan", "thread")
@@ -206,7 +285,7 @@ class Night(ScriptOfScripts):
         self.assertEqual(self.night("suites", **twice).returncode, 1)
 
 
-class RoomScripts(SmallTree):
+class RoomScripts(WaitsForProcesses):
     ROOMS = ("clean_room", "package_room", "arm_room")
     SCRIPTS = (*ROOMS, "farm")
 
@@ -292,15 +371,6 @@ class RoomsOfRoot(RoomScripts):
                 self.assertEqual(list(rooms.iterdir()), [kept])
                 shutil.rmtree(rooms)
 
-    def process_in(self, rooms):
-        """Of the first room there, as soon as it has said it."""
-        for _ in range(int(HANGS_S / 0.05)):
-            said = "".join(file.read_text() for file in rooms.glob("*/process"))
-            if said.endswith("\n"):
-                return int(said)
-            time.sleep(0.05)
-        self.fail("no room was begun")
-
     def test_a_room_is_gone_when_it_is_stopped(self):
         rooms = self.folder / "rooms"
         # The room's folder is its last word. It has begun when it says its process.
@@ -314,7 +384,7 @@ class RoomsOfRoot(RoomScripts):
                     script = subprocess.Popen(
                         [f"tests/{name}"], cwd=self.folder, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                         env={**os.environ, "PATH": f"{self.folder}/tools:{os.environ['PATH']}", "TMPDIR": str(rooms)})
-                    process = self.process_in(rooms)
+                    process = self.process_said(rooms, "*/process")
                     script.send_signal(stop)
                     _, said = script.communicate(timeout=HANGS_S)
                     self.assertEqual((script.returncode, said), (status, ""))

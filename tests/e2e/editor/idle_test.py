@@ -52,21 +52,23 @@ def none_of_them_is_drawn(editor):
 
 
 def nothing_between_them(editor):
-    """Of a sleep, as long as no frame is drawn: what was measured before another one, and what long after. Workers that
-    still see to something, such as the colours of yarns, come to their end; whoever never rests is waited for in
-    vain."""
-    frame, since, before = None, 0, 0
+    """For as long as WAKES sleeps take, nobody does anything while no frame is drawn. Workers that still see to
+    something, such as the colours of yarns, come to their end; whoever never rests, or not for so long, is waited for
+    in vain."""
+    frame, since, before, quiet_s = None, 0, 0, 0
 
     def slept():
-        nonlocal frame, since, before
+        nonlocal frame, since, before, quiet_s
         dump = editor.dump()["facts"]
         now, spent = time.monotonic(), processor_s(editor.process)
         asleep = dump["sleeps_then"] == "yes" and dump["frame"] == frame and editor.fact("frame") == frame
         if asleep and now - since <= LEAST_SPAN_S:
             return False
-        rested = asleep and spent - before < BUSY_SHARE * (now - since)
+        if asleep:
+            rested = spent - before < BUSY_SHARE * (now - since)
+            quiet_s = quiet_s + now - since if rested else 0
         frame, since, before = dump["frame"], now, spent
-        return rested
+        return quiet_s > WAKES * LONGEST_SLEEP_S
 
     editor.wait_until("all of it sleeps", slept)
 
