@@ -282,7 +282,9 @@ std::vector<int> readWifColours(const WifSections& sections, const WifCounting& 
       return ownNumber(sections, counting, system).value_or(0);
     const std::optional<int> number = counted(parts[0], counting);
     if (number && palette.colours.count(*number) > 0) return *number;
-    warnings.add(entry.line, section, entryText(entry), fmt::format("There is no colour of this number; {}.", instead));
+    const char* const wrong =
+        parts.size() > 1 ? "Expected the number of one colour of the table" : "There is no colour of this number";
+    warnings.add(entry.line, section, entryText(entry), fmt::format("{}; {}.", wrong, instead));
     return 0;
   };
   const int usual = common ? colourOf(sectionName(system), *common, "the threads take the yarn's own colour") : 0;

@@ -251,6 +251,11 @@ TEST(WifReader, WhatChangesTheClothIsSaidFirst) {
                                          HasSubstr("[WEAVING] Treadles=2")}));
 }
 
+TEST(WifReader, AColourInPlaceOfItsNumberIsNotTakenForOne) {
+  const std::string text = replaced(twillFile(), "[WARP COLORS]\n1=1\n", "[WARP COLORS]\n1=255,0,0\n");
+  EXPECT_THAT(warningsOf(text), ElementsAre(HasSubstr("Expected the number of one colour of the table; the thread")));
+}
+
 TEST(WifReader, ThreadsThatAreOnlyCountedAreToldFromTheNamed) {
   EXPECT_EQ(document(twillFile()).named, WifNamed{});
   const std::string text = replaced(replaced(twillFile(), "Threads=6", "Threads=500"), "8=4\n", "");
