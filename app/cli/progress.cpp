@@ -59,6 +59,10 @@ std::string progressJson(const std::string& label, double fraction, double elaps
   return jsonText(line);
 }
 
+void tellJson(const nlohmann::ordered_json& event) {
+  fmt::print(stderr, "{}\n", jsonText(event));
+}
+
 Progress::Progress(std::string label, ProgressStyle style, std::FILE* out)
     : label_(std::move(label)),
       style_(style),

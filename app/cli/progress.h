@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "core/base/task.h"
@@ -25,6 +26,9 @@ struct ChoiceNames<ProgressStyle> {
 /// A line of JSON: {"stage":"rendering","fraction":0.52,"elapsed_s":13.1,"left_s":12.1}; without the last where nothing
 /// is done yet.
 std::string progressJson(const std::string& label, double fraction, double elapsed_s);
+
+/// An event as a line of JSON on stderr.
+void tellJson(const nlohmann::ordered_json& event);
 
 /// Tells on a stream how far long work is: on a terminal a bar that is drawn over itself, elsewhere a plain line every
 /// tenth of the way, at most one in two seconds; as JSON one a second, and one at the end. May be told from any thread.

@@ -86,7 +86,7 @@ void addMerge(CLI::App& app, MergeCommand& command) {
 
 void addRender(CLI::App& app, RenderCommand& command) {
   app.add_option("FABRIC", command.inputs,
-                 "fabrics (.json, .loomlight), drafts (.wif), or pictures (.exr) to render again")
+                 "fabrics (.json, .loomlight), drafts (.wif, .plm, .dtx, .twa), or pictures (.exr) to render again")
       ->type_name("");
   app.add_option("-o,--output", command.output,
                  "the picture: .exr or .png; of several, {} is the fabric's name and #### the frame's number")

@@ -7,6 +7,7 @@
 #include <exception>
 #include <map>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -74,7 +75,14 @@ void tellBegun(const RenderCommand& command, const std::vector<RenderOrder>& job
     fmt::print(stderr, "loomlight: picture {} of {}: {}\n", i + 1, jobs.size(), jobs[i].output);
     return;
   }
-  fmt::print(stderr, "{{\"stage\":\"picture\",\"number\":{},\"of\":{}}}\n", i + 1, jobs.size());
+  tellJson({{"stage", "picture"}, {"number", i + 1}, {"of", jobs.size()}, {"output", jobs[i].output}});
+}
+
+void tellFailed(const RenderCommand& command, const RenderOrder& job, const std::string& why) {
+  if (command.progress == ProgressStyle::plain)
+    fmt::print(stderr, "loomlight: {}\n", why);
+  else
+    tellJson({{"stage", "failed"}, {"output", job.output}, {"error", why}});
 }
 
 bool areOfOneFabric(const std::vector<RenderOrder>& jobs) {
@@ -90,14 +98,14 @@ bool tried(const RenderCommand& command, const std::vector<RenderOrder>& jobs, s
     status = renderPicture(command, job, interrupt, built);
     return true;
   } catch (const InputError& error) {
-    fmt::print(stderr, "loomlight: {}\n", error.what());
+    tellFailed(command, job, error.what());
   } catch (const UsageError& error) {
     if (areOfOneFabric(jobs)) throw;
-    fmt::print(stderr, "loomlight: {}: {}\n", job.input, error.what());
+    tellFailed(command, job, fmt::format("{}: {}", job.input, error.what()));
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "loomlight: {}: there is not enough memory for this\n", job.input);
+    tellFailed(command, job, job.input + ": there is not enough memory for this");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "loomlight: {}: {}\n", job.input, error.what());
+    tellFailed(command, job, fmt::format("{}: {}", job.input, error.what()));
   }
   built = {};
   return false;

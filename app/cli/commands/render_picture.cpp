@@ -215,12 +215,11 @@ void write(const std::string& output, const Begun& picture, const Tone& tone, bo
 }
 
 void tellWritten(const RenderOrder& job, uint32_t samples, bool complete, double seconds) {
-  const nlohmann::ordered_json line{{"stage", "written"},
-                                    {"output", job.output},
-                                    {"samples_per_pixel", samples},
-                                    {"complete", complete},
-                                    {"seconds", seconds}};
-  fmt::print(stderr, "{}\n", jsonText(line));
+  tellJson({{"stage", "written"},
+            {"output", job.output},
+            {"samples_per_pixel", samples},
+            {"complete", complete},
+            {"seconds", seconds}});
 }
 
 }  // namespace
@@ -261,8 +260,9 @@ int renderPicture(const RenderCommand& command, const RenderOrder& job, const In
   expectKind(kind, picture, command.resume);
   const PixelRect window = picture.box.window();
   const int wanted = picture.box.high.z - picture.box.low.z;
-  fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", window.width, window.height,
-             wanted, task.threads);
+  if (command.progress == ProgressStyle::plain)
+    fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", window.width, window.height,
+               wanted, task.threads);
   TraceCounts counts;
   Stopwatch watch;
   const bool complete = trace(built, picture, task, command.progress, counts);

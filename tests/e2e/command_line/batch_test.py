@@ -116,6 +116,21 @@ class Batch(CommandLineTest):
         self.assertEqual(lines[-1]["stage"], "written")
         self.assertEqual((lines[-1]["output"], lines[-1]["complete"]), ("a.png", True))
 
+    def test_a_picture_that_fails_is_an_event_too(self):
+        self.fabric("first.json")
+        (self.folder / "second.json").write_text("{")
+        self.fabric("third.json")
+        done = self.run_both("render", "first.json", "second.json", "third.json", "-o", "{}.png", "--progress", "json",
+                             status=1)
+        self.assertTrue(all(line.startswith("{") for line in done.stderr.splitlines()), done.stderr)
+        events = [json.loads(line) for line in done.stderr.splitlines()]
+        begun = [(event["number"], event["of"], event["output"]) for event in events if event["stage"] == "picture"]
+        self.assertEqual(begun, [(1, 3, "first.png"), (2, 3, "second.png"), (3, 3, "third.png")])
+        ended = [(event["stage"], event["output"]) for event in events if event["stage"] in ("written", "failed")]
+        self.assertEqual(ended, [("written", "first.png"), ("failed", "second.png"), ("written", "third.png")])
+        (failed,) = [event for event in events if event["stage"] == "failed"]
+        self.assertIn("second.json", failed["error"])
+
     def test_ctrl_c_ends_the_whole_list(self):
         self.fabric("one.json")
         self.fabric("two.json")
