@@ -114,7 +114,8 @@ void addThreads(CLI::App& app, int& threads, const std::string& help) {
 }
 
 void addMemoryLimit(CLI::App& app, double& limit_bytes) {
-  addValue(app, "--memory-limit", "GB", "what fibres may take; three quarters of the memory where not given",
+  addValue(app, "--memory-limit", "GB",
+           "what fibres may take, and the maps of a tile; three quarters of the memory where not given",
            [&limit_bytes](const auto& option, const auto& text) {
              limit_bytes = 1e9 * parseNumber(option, text, 1e-3, 1e6);
            });

@@ -26,7 +26,8 @@ namespace loomlight {
 namespace {
 
 constexpr int kMostYarns = 2000;
-constexpr double kMargin_mm = 3;  ///< of cloth around a tile: light goes no further within it
+constexpr double kMargin_mm = 3;        ///< of cloth around a tile: light goes no further within it
+constexpr double kBytesPerPixel = 300;  ///< film, maps and what is written of them, at most
 
 /// The least common multiple of the periods of a system's yarns in a repeat.
 int64_t twistPeriod(const ClothGeometry& geometry, System system) {
@@ -119,6 +120,27 @@ int usualTileSide(const Fabric& fabric, const TileExtent& extent) {
   return std::clamp(kStep * static_cast<int>(std::ceil(std::min<double>(wanted, kMost) / kStep)), kLeast, kMost);
 }
 
+void expectMemoryFor(const Fabric& fabric, const TileExtent& extent, int longestSide, double bytesPerPixel,
+                     double limit_bytes) {
+  const auto bytesOf = [&](int side) {
+    const RenderSettings picture = tileScene(fabric, extent, side).render;
+    return bytesPerPixel * picture.width * picture.height;
+  };
+  const double needed_bytes = bytesOf(longestSide);
+  if (needed_bytes <= limit_bytes) return;
+  int fitting = static_cast<int>(longestSide * std::sqrt(limit_bytes / needed_bytes));
+  while (fitting > 1 && bytesOf(fitting) > limit_bytes) --fitting;  // sides are rounded to whole pixels
+  constexpr double kGB = 1e9;
+  throw InputError(fmt::format(
+      "{}: expected a tile whose longer side has at most {} pixels, got {}: these take about {:.3g} GB of memory, and "
+      "the limit is {:.3g} GB",
+      fabric.name, fitting, longestSide, needed_bytes / kGB, limit_bytes / kGB));
+}
+
+ClothMeasures measuresOf(const Fabric& fabric, const TileExtent& extent, const Task& task) {
+  return ClothGeometry(fabric, extent.ends, extent.picks, nullptr, false, task).measure();
+}
+
 Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide, ClothSide side) {
   Fabric scene = evenlySpun(fabric);
   const double width_mm = extent.ends * fabric.warpPitch_mm(), height_mm = extent.picks * fabric.weftPitch_mm();
@@ -142,12 +164,9 @@ Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide
 }
 
 TileMaps tileMaps(const Film& film, const Fabric& scene, int threads) {
-  const Image image = film.toImage(false);
-  const std::vector<float>& depth = image.find("depth.Z")->values;
   TileMaps maps;
   maps.width = film.width();
   maps.height = film.height();
-  const size_t count = depth.size();
   const std::vector<glm::vec4> colours = quietColours(film, threads);
   const auto distance = static_cast<float>(scene.camera.distance_mm);
   float lowest = 0;
@@ -158,11 +177,11 @@ TileMaps tileMaps(const Film& film, const Fabric& scene, int threads) {
       const glm::vec4& colour = colours[maps.baseColour.size()];
       maps.baseColour.push_back(alpha > 0 && colour.a > 0 ? Rgb(colour) / colour.a : Rgb(0));
       maps.opacity.push_back(alpha);
-      maps.height_mm.push_back(alpha > 0 ? distance - depth[maps.height_mm.size()] : 0.0f);
+      maps.height_mm.push_back(alpha > 0 ? distance - film.depth_mm(x, y) : 0.0f);
       maps.yarn.push_back(alpha > 0 ? film.hit(x, y).yarn : -1);
       if (alpha > 0) lowest = std::min(lowest, maps.height_mm.back());
     }
-  for (size_t i = 0; i < count; ++i)
+  for (size_t i = 0; i < maps.opacity.size(); ++i)
     if (maps.opacity[i] <= 0) maps.height_mm[i] = lowest;
   fillHoles(maps.opacity, maps.width, maps.height, maps.baseColour);
 
@@ -189,14 +208,15 @@ std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem
   const int side = order.longestSide > 0 ? order.longestSide : usualTileSide(fabric, extent);
   const auto tile = std::make_shared<const Fabric>(tileScene(fabric, extent, side));
   validate(*tile, fabric.name + ": the tile");
+  expectMemoryFor(fabric, extent, side, kBytesPerPixel, limit_bytes);
+  Task aside = task;
+  aside.progress = nullptr;  // it takes a moment
+  const ClothMeasures measures = measuresOf(fabric, extent, aside);
   const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task, extent.tiling());
   if (!picture) return std::nullopt;
-  Task naming = task;
-  naming.progress = nullptr;  // it takes a moment
-  const auto names = yarnNames(fabric, naming);
+  const auto names = yarnNames(fabric, aside);
   if (!names) return std::nullopt;
-  return writeTile(stem, tileMaps(picture->film, *tile, task.threads), fabric, extent,
-                   picture->scene->cloth->volume->geometry().measure(), *names);
+  return writeTile(stem, tileMaps(picture->film, *tile, task.threads), fabric, extent, measures, *names);
 }
 
 }  // namespace loomlight

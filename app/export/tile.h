@@ -30,8 +30,17 @@ TileExtent tileExtent(const Fabric& fabric, bool joinTwist = true);
 double pixelsPerYarn(const Fabric& fabric, const TileExtent& extent, int longestSide);
 /// Fewer show no yarn, but a colour for each thread.
 inline constexpr double kFewestPixelsPerYarn = 8;
-/// A longer side of 16 pixels for each thread, and of 1024 at least: as far as a picture can be so large.
+/// A longer side of 16 pixels for each thread, from 1024 to 16384.
 int usualTileSide(const Fabric& fabric, const TileExtent& extent);
+
+/// Throws InputError where pictures of a tile take more than `limit_bytes` together, at so many a pixel; it says which
+/// side would do.
+void expectMemoryFor(const Fabric& fabric, const TileExtent& extent, int longestSide, double bytesPerPixel,
+                     double limit_bytes);
+
+/// Of one repeat, as it is drafted: the cloth that is traced for a tile is stretched by a fraction of a pixel, and its
+/// yarns are even.
+ClothMeasures measuresOf(const Fabric& fabric, const TileExtent& extent, const Task& task);
 
 /// The side of the cloth that a tile shows. The back is what is seen once the cloth is turned over like a page, about
 /// the vertical axis of the front's picture: column c of one lies behind column width - 1 - c of the other, rows stay.
@@ -72,7 +81,8 @@ struct TileOrder {
   int longestSide = 0;  ///< pixels; 0: usualTileSide()
   bool joinTwist = true;
 };
-/// All of it. Nothing when stopped. `limit_bytes`: of explicit fibres. Throws InputError.
+/// All of it. Nothing when stopped. `limit_bytes`: of explicit fibres, and of the pictures. Throws InputError; where
+/// they take more memory, or the file cannot be written, before the long work.
 std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem, const TileOrder& order,
                                    double limit_bytes, const Task& task);
 

@@ -11,6 +11,7 @@
 #include "app/export/task_part.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/fabric/model/colourways.h"
 
 namespace loomlight {
@@ -57,11 +58,12 @@ std::string handoverSidecar(const Fabric& fabric, const std::string& folder) {
 std::vector<HandoverPart> handoverParts(const Fabric& fabric, const std::string& folder, bool allColourways) {
   std::vector<HandoverPart> parts{{fabric, folder}};
   if (!allColourways) return parts;
-  std::set<std::string> taken;
+  // The folder of the fabric's own pictures lies beside theirs; and there are disks to which capitals are all one.
+  std::set<std::string> taken{"textures"};
   for (const Colourway& colourway : fabric.colourways) {
     const std::string plain = portableFileName(colourway.name);
     std::string own = plain;
-    for (int i = 2; !taken.insert(own).second; ++i) own = fmt::format("{}_{}", plain, i);
+    for (int i = 2; !taken.insert(lowerCase(own)).second; ++i) own = fmt::format("{}_{}", plain, i);
     HandoverPart part{inColourway(fabric, colourway), (std::filesystem::path(folder) / own).string()};
     part.fabric.name += " " + colourway.name;
     parts.push_back(std::move(part));

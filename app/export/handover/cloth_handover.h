@@ -18,7 +18,7 @@ struct HandoverPart {
 std::string handoverSidecar(const Fabric& fabric, const std::string& folder);
 
 /// The fabric as it is, into `folder`; where all are wanted each of its colourways too, into a folder of its own in
-/// that one, called after it. No two share a folder.
+/// that one, called after it. No two share a folder, nor the folder of another's textures.
 std::vector<HandoverPart> handoverParts(const Fabric& fabric, const std::string& folder, bool allColourways);
 
 /// Traces, measures, fits and writes a part, and makes its folder where there is none. Nothing when stopped: no file of

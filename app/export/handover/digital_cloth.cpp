@@ -7,6 +7,8 @@
 namespace loomlight {
 namespace {
 
+constexpr double kBytesPerPixel = 400;  ///< of both sides' maps, a film, and what is written of them, at most
+
 /// `seen`: scaled to the maps.
 void fit(DigitalSide& side, const MeasuredSide& seen, const Fabric& fabric, const DigitalClothOrder& order,
          int threads) {
@@ -19,16 +21,17 @@ void fit(DigitalSide& side, const MeasuredSide& seen, const Fabric& fabric, cons
 
 std::optional<DigitalCloth> makeDigitalCloth(const Fabric& fabric, const DigitalClothOrder& order, double limit_bytes,
                                              const Task& task) {
-  constexpr double kTraced = 0.8, kMeasured = 0.95;  // of the progress
+  constexpr double kMade = 0.01, kTraced = 0.8, kMeasured = 0.95;  // of the progress
   DigitalCloth cloth;
   cloth.fabric = fabric;
   cloth.extent = tileExtent(fabric, order.joinTwist);
   const int side = order.longestSide > 0 ? order.longestSide : usualTileSide(fabric, cloth.extent);
-  auto sides = tileSides(fabric, cloth.extent, side, limit_bytes, partOf(task, 0, kTraced));
+  expectMemoryFor(fabric, cloth.extent, side, kBytesPerPixel, limit_bytes);
+  cloth.measures = measuresOf(fabric, cloth.extent, partOf(task, 0, kMade));
+  auto sides = tileSides(fabric, cloth.extent, side, limit_bytes, partOf(task, kMade, kTraced));
   if (!sides) return std::nullopt;
   auto measured = measuredSurface(fabric, order.measuringSamples, limit_bytes, partOf(task, kTraced, kMeasured));
   if (!measured) return std::nullopt;
-  cloth.measures = sides->measures;
   cloth.front.maps = std::move(sides->front);
   cloth.back.maps = std::move(sides->back);
   const MeanColours front = meanColours(cloth.front.maps), back = meanColours(cloth.back.maps);

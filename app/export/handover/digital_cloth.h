@@ -37,7 +37,8 @@ struct DigitalClothOrder {
   int fitSamples = 64;         ///< pixels that stand for all in the fit
 };
 
-/// Traces, measures and fits. Nothing when stopped. `limit_bytes`: of explicit fibres. Throws InputError.
+/// Traces, measures and fits. Nothing when stopped. `limit_bytes`: of explicit fibres, and of the pictures. Throws
+/// InputError; where they take more memory, before the long work.
 std::optional<DigitalCloth> makeDigitalCloth(const Fabric& fabric, const DigitalClothOrder& order, double limit_bytes,
                                              const Task& task);
 

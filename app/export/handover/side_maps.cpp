@@ -82,8 +82,6 @@ class TileStudio {
     return maps;
   }
 
-  ClothMeasures measures() const { return built_->cloth->volume->geometry().measure(); }
-
  private:
   Fabric sceneOf(ClothSide side) const { return tileScene(fabric_, extent_, longestSide_, side); }
 
@@ -112,7 +110,7 @@ std::optional<TileSides> tileSides(const Fabric& fabric, const TileExtent& exten
   if (!front) return std::nullopt;
   auto back = studio.side(ClothSide::back, partOf(task, kHalf, 1));
   if (!back) return std::nullopt;
-  return TileSides{std::move(*front), std::move(*back), studio.measures()};
+  return TileSides{std::move(*front), std::move(*back)};
 }
 
 }  // namespace loomlight

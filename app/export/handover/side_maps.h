@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/export/tile.h"
-#include "core/geometry/cloth/cloth_geometry.h"
 
 namespace loomlight {
 
@@ -21,7 +20,6 @@ struct SideMaps {
 /// Both sides of a tile, out of the same volume.
 struct TileSides {
   SideMaps front, back;
-  ClothMeasures measures;
 
   const SideMaps& of(ClothSide side) const { return side == ClothSide::front ? front : back; }
 };

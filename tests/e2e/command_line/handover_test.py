@@ -60,6 +60,25 @@ class Handover(CommandLineTest):
         self.assertGreater(thickest_mm, 0.95 * sidecar["thickness_mm"])
         self.assertLess(thickest_mm, 1.3 * sidecar["thickness_mm"], "it has hairs, which no thickness counts")
 
+    def test_mass_and_thickness_are_those_of_the_draft(self):
+        """A tile few pixels wide stretches the cloth, to have square pixels."""
+        fabric = self.fabric(warp_sequence=[0], weft_sequence=[0] * 24 + [1] * 24,
+                             drape={"kind": "flat", "width_mm": 30, "height_mm": 30})
+        self.run_program("handover", fabric, "-o", "out", "--size", "48", *FEW[2:])
+        sidecar = json.loads((self.folder / "out" / "small_twill.handover.json").read_text())
+        self.assertGreater(abs(sidecar["width_mm"] / sidecar["width_px"] / sidecar["height_mm"] * 48 - 1), 0.05)
+        cloth = json.loads(self.run_program("info", fabric, "--json"))
+        physics = json.loads((self.folder / "out" / "small_twill.u3m").read_text())["material"]["physics"]
+        for name, other in (("areal_mass_g_m2", "weight"), ("thickness_mm", "thickness")):
+            self.assertAlmostEqual(sidecar[name], cloth[name], places=6, msg=name)
+            self.assertAlmostEqual(physics[other], cloth[name], places=6, msg=other)
+
+    def test_maps_that_take_too_much_memory_are_refused_before_they_are_traced(self):
+        said = self.run_program("handover", self.fabric(), "-o", "out", "--size", "512", "--spp", "1000000",
+                                "--memory-limit", "0.005", status=1)
+        self.assertRegex(said, r"small twill: expected a tile whose longer side has at most \d+ pixels, got 512")
+        self.assertFalse((self.folder / "out").exists())
+
     def test_every_colourway_has_a_folder(self):
         fabric = self.fabric(colourways=[{"name": "Rust", "absorption_per_mm": [[1, 8, 20], [2, 9, 30]]}])
         self.run_program("handover", fabric, "-o", "out", "--colourways", *FEW)

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import struct
 
 from harness import CommandLineTest, main, read_png
@@ -27,6 +28,24 @@ class Tile(CommandLineTest):
             pixels_per_m = struct.unpack(">I", content[place:place + 4])[0]
             self.assertAlmostEqual(pixels_per_m * sidecar["width_mm"] / 1000, width, delta=0.5, msg=name)
         self.assertTrue((self.folder / "maps" / sidecar["maps"]["all"]["file"]).read_bytes().startswith(b"v/1\x01"))
+
+    def test_mass_and_thickness_are_those_of_the_draft(self):
+        """A tile four pixels wide stretches the cloth by a tenth, to have square pixels."""
+        fabric = self.fabric(warp_sequence=[0], weft_sequence=[0] * 24 + [1] * 24,
+                             drape={"kind": "flat", "width_mm": 30, "height_mm": 30})
+        self.run_program("tile", fabric, "-o", "maps", "--size", "48", "--free-twist", "--spp", "1")
+        sidecar = json.loads((self.folder / "maps" / "small_twill.json").read_text())
+        self.assertEqual((sidecar["ends"], sidecar["picks"]), (4, 48))
+        self.assertGreater(abs(sidecar["width_mm"] / sidecar["width_px"] / sidecar["height_mm"] * 48 - 1), 0.05)
+        cloth = json.loads(self.run_program("info", fabric, "--json"))
+        for name in ("areal_mass_g_m2", "thickness_mm"):
+            self.assertAlmostEqual(sidecar[name], cloth[name], places=6, msg=name)
+
+    def test_maps_that_take_too_much_memory_are_refused_before_they_are_traced(self):
+        said = self.run_program("tile", self.fabric(), "-o", "maps", "--size", "512", "--spp", "1000000", "--memory-limit",
+                                "0.005", status=1)
+        most = int(re.search(r"small twill: expected a tile whose longer side has at most (\d+) pixels, got 512", said)[1])
+        self.run_program("tile", self.fabric(), "-o", "maps", "--size", most, "--spp", "1", "--memory-limit", "0.005")
 
     def test_a_draft_has_the_sett_of_its_file_where_that_is_asked_for(self):
         self.run_program("convert", self.fabric(ends_per_cm=31, picks_per_cm=27), "draft.wif")

@@ -43,6 +43,14 @@ TEST(ClothHandover, EveryColourwayHasAFolderOfItsOwn) {
   EXPECT_EQ(handoverParts(fabric, "out", false).size(), 1u);
 }
 
+TEST(ClothHandover, FoldersOfColourwaysDifferByMoreThanCapitals) {
+  Fabric fabric = fewSamples();
+  for (const char* name : {"Sea", "Textures", "sea"}) fabric.colourways.push_back(colourwayOf(fabric, name));
+  std::vector<std::string> folders;
+  for (const HandoverPart& part : handoverParts(fabric, "out", true)) folders.push_back(part.folder);
+  EXPECT_EQ(folders, (std::vector<std::string>{"out", "out/Sea", "out/Textures_2", "out/sea_2"}));
+}
+
 TEST(ClothHandover, AStopLeavesNoFolderThatWasNotThere) {
   const test::ScratchFolder folder;
   std::stop_source stop;
