@@ -97,7 +97,7 @@ need_megabytes() {
   fi
 }
 
-# compilers_that_fit: so many find room in memory now: the largest files take up to 2 GB each.
+# compilers_that_fit: how many compilers the memory that is free now holds, of 2 GB each, as the largest files take.
 compilers_that_fit() { awk '/^MemAvailable:/ { print int($2 / (2 * 1024 * 1024)) }' /proc/meminfo; }
 
 # As many compilers as there are cores, but no more than memory holds.

@@ -177,7 +177,7 @@ TileMaps tileMaps(const Film& film, const Fabric& scene, int threads) {
       const glm::vec4& colour = colours[maps.baseColour.size()];
       maps.baseColour.push_back(alpha > 0 && colour.a > 0 ? Rgb(colour) / colour.a : Rgb(0));
       maps.opacity.push_back(alpha);
-      maps.height_mm.push_back(alpha > 0 ? distance - film.depth_mm(x, y) : 0.0f);
+      maps.height_mm.push_back(alpha > 0 ? distance - film.meanDepth_mm(x, y) : 0.0f);
       maps.yarn.push_back(alpha > 0 ? film.hit(x, y).yarn : -1);
       if (alpha > 0) lowest = std::min(lowest, maps.height_mm.back());
     }

@@ -148,7 +148,7 @@ Film::Hit Film::hit(const Pixel& p) {
   return {p.yarn, p.end, p.pick, p.hitDepth};
 }
 
-float Film::depth_mm(const Pixel& p) {
+float Film::meanDepth_mm(const Pixel& p) {
   return p.hits == 0 ? 0.0f : static_cast<float>(static_cast<double>(p.depth) * kDepthQuantum_mm / p.hits);
 }
 
@@ -161,8 +161,8 @@ float Film::variance(int x, int y) const {
 Film::Hit Film::hit(int x, int y) const {
   return hit(at(x, y));
 }
-float Film::depth_mm(int x, int y) const {
-  return depth_mm(at(x, y));
+float Film::meanDepth_mm(int x, int y) const {
+  return meanDepth_mm(at(x, y));
 }
 
 float Film::alpha(int x, int y) const {

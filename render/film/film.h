@@ -64,12 +64,12 @@ class Film {
   float alpha(int x, int y) const;
   /// Of the luminance of the mean, estimated from the spread of the samples; 0 with fewer than two.
   float variance(int x, int y) const;
+  /// Mean over the samples with alpha 1; 0 where there are none.
+  float meanDepth_mm(int x, int y) const;
   struct Hit {
     int yarn = -1, end = -1, pick = -1;
     float depth_mm = 0;
   };
-  /// Mean over the samples with alpha 1; 0 where there are none.
-  float depth_mm(int x, int y) const;
   /// Of the lowest-numbered sample that met a fibre. Indices beyond 2^24 are kept as 2^24.
   Hit hit(int x, int y) const;
 
@@ -106,7 +106,7 @@ class Film {
   static Rgb mean(const Pixel& pixel);
   static float variance(const Pixel& pixel);
   static Hit hit(const Pixel& pixel);
-  static float depth_mm(const Pixel& pixel);
+  static float meanDepth_mm(const Pixel& pixel);
   template <class P, class Visit>
   static void visitSums(P& pixel, Visit&& visit);
 

@@ -137,7 +137,7 @@ Image Film::toImage(bool withSums) const {
       put(meanOver(p.hits, 1, p.samples));
       for (const int64_t sum : p.direct) put(meanOver(static_cast<double>(sum), kRadianceQuantum, p.samples));
       for (const int64_t sum : p.indirect) put(meanOver(static_cast<double>(sum), kRadianceQuantum, p.samples));
-      put(depth_mm(p));
+      put(meanDepth_mm(p));
       for (const int32_t sum : p.normal) put(meanOver(sum, kDirectionQuantum, p.hits));
       for (const int32_t sum : p.tangent) put(meanOver(sum, kDirectionQuantum, p.hits));
       const Hit first = hit(p);

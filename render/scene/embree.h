@@ -37,9 +37,9 @@ inline void occluded(RTCScene scene, QueryContext& context, RTCRay& query) {
   arguments.context = &context;
   rtcOccluded1(scene, &query, &arguments);
 }
-/// Of as many as there are, those that may build. Where Embree 4 is told to stop, it throws out of a task, which
-/// another thread may have taken by then: now and then that one ends the program in TBB (seen with Embree 4.3 and
-/// oneTBB 2022, not with Embree 3.13 and 2021). One thread has nobody to take its tasks.
+/// How many threads may build a scene, of those that there are. Where Embree 4 is told to stop, it throws out of a
+/// task, which another thread may have taken by then: now and then that one ends the program in TBB (seen with
+/// Embree 4.3 and oneTBB 2022, not with Embree 3.13 and 2021). One thread has nobody to take its tasks.
 inline int builderThreads(int /*threads*/) {
   return 1;
 }

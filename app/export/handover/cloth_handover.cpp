@@ -58,7 +58,7 @@ std::string handoverSidecar(const Fabric& fabric, const std::string& folder) {
 std::vector<HandoverPart> handoverParts(const Fabric& fabric, const std::string& folder, bool allColourways) {
   std::vector<HandoverPart> parts{{fabric, folder}};
   if (!allColourways) return parts;
-  // The folder of the fabric's own pictures lies beside theirs; and there are disks to which capitals are all one.
+  // The fabric's own textures have a folder beside these, and some file systems take capitals for small letters.
   std::set<std::string> taken{"textures"};
   for (const Colourway& colourway : fabric.colourways) {
     const std::string plain = portableFileName(colourway.name);

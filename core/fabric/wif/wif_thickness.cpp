@@ -104,11 +104,9 @@ void noteGaps(const WifSizes& sizes, System system, int threads, WifWarnings& wa
     note(" SPACING", sizes.spacings, "spacing", fmt::format("{}, and all {}s lie at one distance", kept, thread));
 }
 
-namespace {
-
-/// How far threads lie apart over what others do, as a cloth may have it, until it repeats. Of uneven spacings.
-Lengths repeatOf(const WifSizes& sizes, int threads) {
+std::vector<double> spacingOf(const WifSizes& sizes, int threads) {
   Lengths apart = spacings(sizes, threads);
+  if (!varies(apart)) return {};
   if (saysThicknessBySpacing(sizes, thicknesses(sizes, threads), apart)) {
     const Lengths rooms = apart;
     for (size_t i = 0; i < rooms.size(); ++i) apart[i] = 0.5 * (rooms[i] + rooms[(i + 1) % rooms.size()]);
@@ -119,20 +117,9 @@ Lengths repeatOf(const WifSizes& sizes, int threads) {
     const double rounded = std::round(1000 * distance / fitting) / 1000;  // files round their lengths
     distance = std::clamp(rounded, kSpacingRange.min, kSpacingRange.max);
   }
-  return shortestRepeat(std::move(apart));
-}
-
-bool isTooLong(const Lengths& repeat) {
-  return repeat.size() > static_cast<size_t>(kMostSpacing);
-}
-
-}  // namespace
-
-std::vector<double> spacingOf(const WifSizes& sizes, int threads) {
-  if (!varies(spacings(sizes, threads))) return {};
-  Lengths repeat = repeatOf(sizes, threads);
-  if (repeat.size() == 1 || isTooLong(repeat)) return {};
-  return repeat;
+  apart = shortestRepeat(std::move(apart));
+  if (apart.size() == 1 || apart.size() > static_cast<size_t>(kMostSpacing)) return {};
+  return apart;
 }
 
 std::optional<WifWarning> unevenSpacing(const WifSizes& sizes, int threads, const char* what, bool isWoven) {
@@ -142,9 +129,7 @@ std::optional<WifWarning> unevenSpacing(const WifSizes& sizes, int threads, cons
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
   const char* const yarns =
       saysThicknessBySpacing(sizes, thick, apart) ? "; taken as thick and thin, they have yarns of such diameters" : "";
-  std::string places = isWoven ? "so too, as far as they can" : "at one distance, the mean";
-  if (!isWoven && isTooLong(repeatOf(sizes, threads)))
-    places += fmt::format(", as that repeats after more than {} threads", kMostSpacing);
+  const char* const places = isWoven ? "so too, as far as they can" : "at one distance, the mean";
   return WifWarning{fmt::format("{} lie {:.3g} to {:.3g} times the usual distance apart in the file{}; here they lie "
                                 "{}. The file's own spacing is kept for export.",
                                 what, *least, *most, yarns, places),
