@@ -59,7 +59,7 @@ TEST(WifReader, KeepsWhatItDoesNotUse) {
 
 TEST(WifReader, LineEndsMarksAndCaseMakeNoDifference) {
   const WifDocument expected = document(twillFile());
-  std::string crlf, cr, lower;
+  std::string crlf, cr;
   for (const char c : twillFile()) {
     crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
     cr += c == '\n' ? '\r' : c;
