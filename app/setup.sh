@@ -97,14 +97,12 @@ need_megabytes() {
   fi
 }
 
-# compilers_that_fit: how many compilers the memory that is free now holds, of 2 GB each, as the largest files take.
-compilers_that_fit() { awk '/^MemAvailable:/ { print int($2 / (2 * 1024 * 1024)) }' /proc/meminfo; }
-
-# As many compilers as there are cores, but no more than memory holds.
+# As many compilers as there are cores, but no more than memory holds: the largest files take up to 2 GB each.
 build_jobs() {
-  local cores jobs
+  local cores memory_kb jobs
   cores=$(nproc)
-  jobs=$(compilers_that_fit)
+  memory_kb=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo)
+  jobs=$((memory_kb / (2 * 1024 * 1024)))
   ((jobs < cores)) || jobs=$cores
   ((jobs > 0)) || jobs=1
   echo "$jobs"

@@ -6,7 +6,6 @@
 
 : "${root:?app/setup.sh is sourced first}"
 room=""                  # the folder of the room that is open
-room_megabytes=6000      # that a room takes of the disk
 rooms_kept=no            # whether rooms stay when they are closed
 rooms_opened=0           # so far, so that one that stays is in nobody's way
 newcomer=/home/newcomer  # the home of a user without rights, in the room
@@ -58,7 +57,7 @@ open_room() {
   for stale in "$parent"/loomlight-room.*; do # of runs that were killed
     [[ -d $stale && ! -e $stale/kept && ! -d /proc/${stale##*.} ]] && rm -rf --one-file-system "$stale"
   done
-  need_megabytes "$room_megabytes" "$parent" "a clean room" || exit 1
+  need_megabytes 6000 "$parent" "a clean room" || exit 1
   room="$parent/loomlight-room.$release.$((++rooms_opened)).$$"
   trap 'stop_running; close_room; rm -f "$log"' EXIT
   trap 'exit 130' INT
