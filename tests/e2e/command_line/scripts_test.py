@@ -120,14 +120,19 @@ class OtherScripts(SmallTree):
 
 
 class WaitsForProcesses(SmallTree):
+    def soon(self, what, condition):
+        """A process that is told to end does so when the machine has time for it."""
+        for _ in range(int(HANGS_S / 0.05)):
+            if condition():
+                return
+            time.sleep(0.05)
+        self.fail(f"waited in vain until {what}")
+
     def process_said(self, folder, name):
         """The first process that a file of that name tells, as soon as it is told."""
-        for _ in range(int(HANGS_S / 0.05)):
-            said = "".join(file.read_text() for file in folder.glob(name))
-            if said.endswith("\n"):
-                return int(said)
-            time.sleep(0.05)
-        self.fail("nothing was begun")
+        said = lambda: "".join(file.read_text() for file in folder.glob(name))
+        self.soon("a process is begun", lambda: said().endswith("\n"))
+        return int(said())
 
 
 class ScriptOfScripts(WaitsForProcesses):
@@ -159,7 +164,7 @@ class ScriptOfScripts(WaitsForProcesses):
         script.send_signal(stop)
         script.communicate(timeout=HANGS_S)
         self.assertEqual(script.returncode, status)
-        self.assertEqual(self.processes_there(), [])
+        self.soon("all that was begun has ended", lambda: not self.processes_there())
         self.assertFalse((self.folder / "calls").exists(), "it has gone on to what comes next")
 
     def processes_there(self):
